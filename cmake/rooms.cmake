@@ -1,0 +1,24 @@
+# A room is a static library of the same name; a test is one executable of GoogleTest cases.
+
+add_library(zrobench_options INTERFACE)
+target_include_directories(zrobench_options INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_options(zrobench_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wshadow -Wnon-virtual-dtor -Wold-style-cast
+  -ffp-contract=off  # a*b+c must round alike on host and target
+  $<$<BOOL:${ZROBENCH_WERROR}>:-Werror>)
+
+# zrobench_room(NAME SOURCES a.cc ... DEPS lib ...)
+function(zrobench_room name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS" ${ARGN})
+  add_library(${name} STATIC ${ARG_SOURCES})
+  target_link_libraries(${name} PUBLIC zrobench_options ${ARG_DEPS})
+endfunction()
+
+# zrobench_test(NAME [LABELS l ...] SOURCES a_test.cc ... DEPS lib ...)
+function(zrobench_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;LABELS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_DEPS} zrobench_options GTest::gmock GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE ZROBENCH_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT 300)
+endfunction()
