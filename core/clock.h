@@ -45,7 +45,7 @@ class Clock {
   virtual UtcNs utc() const = 0;
   /// The controller's only way to wait. Blocks until `deadline`, until a source is ready, or (real
   /// clock) until a signal arrives. Returns at once when a source is ready or the deadline is past.
-  virtual void Wait(Instant deadline, std::span<const WaitSource* const> sources = {}) = 0;
+  virtual void Wait(Instant deadline, std::span<const WaitSource* const> sources) = 0;
 };
 
 /// CLOCK_MONOTONIC, poll(2). Thread-compatible.

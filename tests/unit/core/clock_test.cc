@@ -32,10 +32,10 @@ TEST(VirtualClock, WaitRunsEveryEventUpToTheDeadlineAndNoFurther) {
   VirtualClock clock(0);
   Metronome metronome(1000);
   clock.Attach(&metronome);
-  clock.Wait(Instant(milliseconds(35)));
+  clock.Wait(Instant(milliseconds(35)), {});
   EXPECT_EQ(metronome.ran_at.size(), 3u);
   EXPECT_EQ(clock.now(), Instant(milliseconds(35)));
-  clock.Wait(Instant(milliseconds(40)));  // an event exactly at the deadline runs
+  clock.Wait(Instant(milliseconds(40)), {});  // an event exactly at the deadline runs
   EXPECT_EQ(metronome.ran_at.back(), Instant(milliseconds(40)));
 }
 
@@ -50,7 +50,7 @@ TEST(VirtualClock, WaitEndsAtTheEventThatMakesASourceReady) {
 
 TEST(VirtualClock, WallTimeFollowsTheEpochAndTheDateStep) {
   VirtualClock clock(1'000);
-  clock.Wait(Instant(seconds(2)));
+  clock.Wait(Instant(seconds(2)), {});
   EXPECT_EQ(clock.utc(), 2'000'001'000);
   clock.AdvanceDate(std::chrono::hours(24));
   EXPECT_EQ(clock.utc(), 2'000'001'000 + 86'400'000'000'000);
