@@ -32,4 +32,13 @@ struct Config {
   Limits limits;
 };
 
+/// Defaults for a sensor: windows that are seconds long whatever the rate.
+inline Config ConfigFor(float sample_hz, float gyro_noise_density_dps_per_rthz) {
+  Config config;
+  config.sample_hz = sample_hz;
+  config.gyro_noise_density_dps_per_rthz = gyro_noise_density_dps_per_rthz;
+  config.limits.min_samples = static_cast<std::uint16_t>(5.0f * sample_hz);
+  return config;
+}
+
 }  // namespace zro
