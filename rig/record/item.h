@@ -78,11 +78,11 @@ struct EventItem {
     kStepEnd = 2,
     kStimulusBegin = 3,  ///< text = "tone" | "move", a = hz, b = spl_db
     kStimulusEnd = 4,
-    kPower = 5,      ///< a = 0 off, 1 on
+    kPower = 5,  ///< a = 0 off, 1 on
     kSettled = 6,
-    kAlarm = 7,      ///< the rig is at fault; text says what
+    kAlarm = 7,  ///< the rig is at fault; text says what
     kNote = 8,
-    kRunEnd = 9,     ///< text = why
+    kRunEnd = 9,  ///< text = why
   };
   std::uint64_t at_us = 0;
   Kind kind = Kind::kNote;
@@ -90,8 +90,14 @@ struct EventItem {
   double a = 0, b = 0;
   std::string text;  ///< at most 95 bytes are kept
 };
+/// The reduced state (rig/record/snapshot.h) as JSON, about one a minute: a late reader may begin
+/// here instead of at the start.
+struct SnapshotItem {
+  std::uint64_t at_us = 0;
+  std::string json;  ///< at most 60000 bytes
+};
 
 using Item = std::variant<ImuSample, ImuTime, ImuCorrection, BusFrame, PlateItem, SpeakerItem,
-                          MeanItem, TableItem, LogItem, EventItem>;
+                          MeanItem, TableItem, LogItem, EventItem, SnapshotItem>;
 
 }  // namespace zrobench

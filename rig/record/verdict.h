@@ -23,7 +23,7 @@ struct Measurement {
   std::string unit;  ///< "mdps", "degc", "1"
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  double uncertainty_k2 = 0;  ///< expanded (k = 2), same unit; 0 = exact (counts)
+  double uncertainty_k2 = 0;                ///< expanded (k = 2), same unit; 0 = exact (counts)
   std::uint64_t first_us = 0, last_us = 0;  ///< evidence: range of record.ulg
 };
 
