@@ -1,0 +1,144 @@
+#include "rig/profile/expectations.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "rig/station/key_names.h"
+
+namespace zrobench {
+namespace {
+
+struct Argument {
+  enum class Type { kNumber, kCount, kText, kCodes };
+  std::string_view key;
+  Type type;
+  bool required;
+  double low, high;                  // kNumber and kCount; low itself excluded where low is 0
+  std::vector<std::string> allowed;  // kText
+};
+struct Check {
+  std::string name;
+  std::vector<Argument> arguments;
+};
+
+// Every check that a profile may ask for, and what it takes.
+const std::vector<Check>& Checks() {
+  using enum Argument::Type;
+  const Argument from{"from_degc", kNumber, true, -100, 200, {}};
+  const Argument to{"to_degc", kNumber, true, -100, 200, {}};
+  const Argument within{"within_mdps", kNumber, true, 0, 1e6, {}};
+  static const std::vector<Check> checks = {
+      {"table_coverage",
+       {from, to, {"step_degc", kNumber, true, 0, 50, {}}, {"min_pct", kNumber, true, 0, 100, {}}}},
+      {"table_accuracy", {from, to, within}},
+      {"rejects",
+       {{"codes", kCodes, false, 1, 16, {}},
+        {"code", kCount, false, 1, 16, {}},
+        {"during", kText, false, 0, 0, {"tone", "move"}},
+        {"at_least", kCount, false, 1, 1e6, {}}}},
+      {"no_corrupt_entry", {within}},
+      {"table_persists", {}},
+      {"lockstep", {}},
+      {"residual_rate", {within}},
+  };
+  return checks;
+}
+
+Range RangeOf(const Argument& argument) {
+  return argument.low == 0 ? Range::Positive(argument.high)
+                           : Range::Between(argument.low, argument.high);
+}
+
+bool ReadCount(TableReader* reader, const Argument& argument, double* count) {
+  if (!reader->Number(argument.key, count, RangeOf(argument))) return false;
+  if (*count == std::floor(*count)) return true;
+  reader->Complain(argument.key, fmt::format("{} must be a whole number", argument.key));
+  return false;
+}
+
+bool ReadCodes(TableReader* reader, const Argument& argument, std::vector<double>* codes) {
+  if (!reader->Numbers(argument.key, codes, RangeOf(argument), 1, 16)) return false;
+  const auto whole = [](double code) { return code == std::floor(code); };
+  if (std::all_of(codes->begin(), codes->end(), whole)) return true;
+  reader->Complain(argument.key, fmt::format("{} must be whole numbers", argument.key));
+  return false;
+}
+
+void ReadArgument(TableReader* reader, const Argument& argument, Expectation* expectation) {
+  using enum Argument::Type;
+  const std::string key(argument.key);
+  double number = 0;
+  std::string text;
+  std::vector<double> codes;
+  switch (argument.type) {
+    case kNumber:
+      if (reader->Number(key, &number, RangeOf(argument))) {
+        expectation->arguments.emplace_back(key, number);
+      }
+      break;
+    case kCount:
+      if (!ReadCount(reader, argument, &number)) break;
+      if (key == "code") {
+        expectation->arguments.emplace_back("codes", std::vector<double>{number});
+      } else {
+        expectation->arguments.emplace_back(key, number);
+      }
+      break;
+    case kText:
+      if (reader->Choice(key, &text, argument.allowed)) {
+        expectation->arguments.emplace_back(key, text);
+      }
+      break;
+    case kCodes:
+      if (ReadCodes(reader, argument, &codes)) expectation->arguments.emplace_back(key, codes);
+      break;
+  }
+  if (argument.required) reader->Require({argument.key});
+}
+
+Expectation ReadCheck(const Check& check, TableReader reader) {
+  Expectation expectation{check.name, {}, reader.place().line};
+  for (const Argument& argument : check.arguments) ReadArgument(&reader, argument, &expectation);
+  reader.RefuseOtherKeys();
+  if (reader.table()->contains("code") && reader.table()->contains("codes")) {
+    reader.Complain("code", "give either code or codes");
+  }
+  const double from = expectation.number("from_degc", 0), to = expectation.number("to_degc", 1);
+  if (reader.table()->contains("from_degc") && from >= to) {
+    reader.Complain("from_degc", fmt::format("from_degc = {} is not below to_degc = {}", from, to));
+  }
+  return expectation;
+}
+
+}  // namespace
+
+double Expectation::number(const std::string& key, double otherwise) const {
+  for (const auto& [name, value] : arguments) {
+    if (name != key) continue;
+    if (const double* number = std::get_if<double>(&value)) return *number;
+  }
+  return otherwise;
+}
+
+std::optional<Expectation> ReadExpectation(TableReader* expect) {
+  std::optional<Expectation> expectation;
+  int found = 0;
+  for (const Check& check : Checks()) {
+    if (!expect->Has(check.name)) continue;
+    if (++found > 1) {
+      expect->Complain(check.name, fmt::format("an expectation names one check; '{}' wants its own "
+                                               "[[expect]]",
+                                               check.name));
+    }
+    const TableReader table = expect->Table(check.name);
+    if (table.present()) expectation = ReadCheck(check, table);
+  }
+  expect->RefuseOtherKeys();
+  if (expect->keys().empty()) expect->Complain("", "this [[expect]] names no check");
+  return expectation;
+}
+
+}  // namespace zrobench

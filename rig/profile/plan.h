@@ -1,0 +1,10 @@
+#pragma once
+#include "rig/profile/profile.h"
+
+namespace zrobench {
+
+/// How long the profile should take [s], for a progress bar: ramps at their rate, soaks at a
+/// typical plate's own pace. `start_degc`: plate temperature before the first step.
+double NominalDurationS(const Profile& profile, double start_degc);
+
+}  // namespace zrobench
