@@ -62,6 +62,8 @@ class ImuBoard {
   virtual BoardStatus status() const = 0;
   virtual CanHealth link() const = 0;
 
+  /// NMT reset node: the board reboots (boots_seen grows when it is back).
+  virtual Status Reset() = 0;
   /// Sends the CiA 301 TIME_STAMP (0x100) for this wall time: the date of new entries.
   virtual Status SendDate(UtcNs utc) = 0;
   /// Producer heartbeat of the rig; call at least every 0.5 s while test modes are in use.

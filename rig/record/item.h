@@ -73,7 +73,7 @@ struct LogItem {
 /// Something that began, ended or happened.
 struct EventItem {
   enum class Kind : std::uint8_t {
-    kRunStart = 0,   ///< text = profile name
+    kRunStart = 0,   ///< text = profile name, a = number of steps
     kStepBegin = 1,  ///< step = index, text = "ramp to 45 degc"
     kStepEnd = 2,
     kStimulusBegin = 3,  ///< text = "tone" | "move", a = hz, b = spl_db
@@ -88,7 +88,7 @@ struct EventItem {
   Kind kind = Kind::kNote;
   std::int32_t step = -1;
   double a = 0, b = 0;
-  std::string text;  ///< at most 95 bytes are kept
+  std::string text = {};  ///< at most 95 bytes are kept
 };
 /// The reduced state (rig/record/snapshot.h) as JSON, about one a minute: a late reader may begin
 /// here instead of at the start.
