@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/result.h"
+
 namespace zrobench::physics {
 
 using Axes = std::array<double, 3>;
@@ -35,9 +37,8 @@ struct GyroModel {
   double reference_degc = 25.0;
   double noise_density_dps_per_rthz = 0.005;  ///< one-sided
   double flicker_dps = 0.001;                 ///< B
-  std::array<std::array<double, 4>, 3> zro_dps = {{{0.8, 0.030, -4e-4, 1e-5},
-                                                   {-1.1, -0.022, 5e-4, 0.0},
-                                                   {0.35, 0.012, 2e-4, -6e-6}}};
+  std::array<std::array<double, 4>, 3> zro_dps = {
+      {{0.8, 0.030, -4e-4, 1e-5}, {-1.1, -0.022, 5e-4, 0.0}, {0.35, 0.012, 2e-4, -6e-6}}};
 };
 struct AccelModel {
   double noise_density_g_per_rthz = 1e-4;
@@ -57,8 +58,19 @@ struct Model {
   std::optional<GyroModel> gyro = GyroModel{};
   AccelModel accel;
   SpeakerModel speaker;
-  std::vector<std::string> terms;               ///< ids, in order of application
-  std::map<std::string, TermParameters> term;   ///< only what the file states; else defaults
+  std::vector<std::string> terms;              ///< ids, in order of application
+  std::map<std::string, TermParameters> term;  ///< only what the file states; else defaults
 };
+
+/// One thing wrong with a model.
+struct ModelError {
+  std::string key;      ///< as in a station file: model.plate.heat_capacity_j_per_k
+  std::string message;  ///< starts with the key: "<key> must be > 0, is -3"
+};
+/// Everything that makes the model impossible: non-positive capacity, unknown term or parameter,
+/// wrong length. Empty = valid.
+std::vector<ModelError> FindErrors(const Model& model);
+/// The same as one kConfig error, a message a line.
+Status Validate(const Model& model);
 
 }  // namespace zrobench::physics

@@ -13,11 +13,11 @@ namespace zrobench::physics {
 struct Inputs {
   double drive_pct = 0;  ///< plate, -100..100
   double tone_hz = 0;
-  double tone_pa = 0;    ///< rms pressure at the package; 0 = silent
-  double load_w = 0;     ///< heat the board makes itself
+  double tone_pa = 0;  ///< rms pressure at the package; 0 = silent
+  double load_w = 0;   ///< heat the board makes itself
   double supply_v = 3.3;
-  Axes turn_dps{};       ///< true rotation rate (hand motion)
-  Axes shake_g{};        ///< acceleration beside gravity (hand motion)
+  Axes turn_dps{};          ///< true rotation rate (hand motion)
+  Axes shake_g{};           ///< acceleration beside gravity (hand motion)
   Axes gravity_g{0, 0, 1};  ///< gravity in board axes
 };
 

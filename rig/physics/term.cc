@@ -1,0 +1,84 @@
+#include "rig/physics/term.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "core/check.h"
+#include "rig/physics/terms/acoustic_rectification.h"
+#include "rig/physics/terms/acoustic_resonance.h"
+
+namespace zrobench::physics {
+namespace {
+
+/// Levenshtein distance.
+std::size_t Distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    std::size_t diagonal = row[0]++;
+    for (std::size_t j = 0; j < b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({row[j] + 1, row[j + 1] + 1, replaced});
+    }
+  }
+  return row.back();
+}
+
+void Append(const TermInfo& info, const Model& model, std::vector<double>& flat) {
+  const auto stated = model.term.find(std::string(info.id));
+  for (const ParameterInfo& parameter : info.parameters) {
+    const std::vector<double>* values = &parameter.defaults;
+    if (stated != model.term.end()) {
+      const auto found = stated->second.find(std::string(parameter.name));
+      if (found != stated->second.end()) values = &found->second;
+    }
+    flat.insert(flat.end(), values->begin(), values->end());
+  }
+}
+
+}  // namespace
+
+void Term::PowerOn(std::span<double>) const {}
+void Term::Step(const TermContext&, std::span<const double>, std::span<double>) const {}
+void Term::Output(const TermContext&, std::span<const double>, std::span<const double>,
+                  Sensed&) const {}
+
+std::span<const TermInfo> Catalogue() {
+  static const std::array infos = {AcousticRectificationInfo(), AcousticResonanceInfo()};
+  return infos;
+}
+
+const TermInfo* FindTerm(std::string_view id) {
+  const auto infos = Catalogue();
+  const auto found = std::ranges::find(infos, id, &TermInfo::id);
+  return found == infos.end() ? nullptr : &*found;
+}
+
+std::string_view NearestTerm(std::string_view id) {
+  return std::ranges::min(Catalogue(), {},
+                          [&](const TermInfo& info) { return Distance(id, info.id); })
+      .id;
+}
+
+std::vector<double> FlatParameters(const TermInfo& info, const Model& model) {
+  std::vector<double> flat;
+  Append(info, model, flat);
+  if (!info.borrows.empty()) Append(*FindTerm(info.borrows), model, flat);
+  return flat;
+}
+
+std::vector<ActiveTerm> ActiveTerms(const Model& model) {
+  std::vector<ActiveTerm> active;
+  std::size_t states = 0;
+  for (const std::string& id : model.terms) {
+    const TermInfo* info = FindTerm(id);
+    ZROBENCH_CHECK(info != nullptr);
+    active.push_back({info, FlatParameters(*info, model), states});
+    states += info->states;
+  }
+  return active;
+}
+
+}  // namespace zrobench::physics

@@ -1,0 +1,84 @@
+#pragma once
+// The plug-in interface of everything the simulation knows beyond the base model, and its
+// catalogue. The same objects serve the rig run forward and the diagnosis that fits them: a term
+// holds nothing; its parameters and its states are flat vectors that the caller owns, so a finite
+// difference is a changed number.
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rig/physics/model.h"
+#include "rig/physics/rig_model.h"
+
+namespace zrobench::physics {
+
+/// What a term may look at when it acts on one sensor sample.
+struct TermContext {
+  const Inputs& inputs;
+  Temperatures temperatures;
+  double sample_period_s = 0;
+};
+
+/// One effect. Stateless; every hook does nothing unless overridden. `parameters` has the layout
+/// FlatParameters gives, `states` has TermInfo::states elements.
+/// A term whose coefficients are zero leaves every number of the base model as it was, bit by bit.
+class Term {
+ public:
+  virtual ~Term() = default;
+  /// The states at the start of a power-on.
+  virtual void PowerOn(std::span<double> states) const;
+  /// Moves the states on by one sample period, before Output.
+  virtual void Step(const TermContext& context, std::span<const double> parameters,
+                    std::span<double> states) const;
+  /// Adds to what the sensors show; `sensed` holds the base model and the terms before this one.
+  virtual void Output(const TermContext& context, std::span<const double> parameters,
+                      std::span<const double> states, Sensed& sensed) const;
+};
+
+struct ParameterInfo {
+  std::string_view name;
+  std::string_view unit;
+  std::vector<double> defaults;  ///< its size is the parameter's: 1, or 3 for one per axis
+  double typical = 0;            ///< magnitude worth calling 1
+  bool coefficient = false;      ///< zero switches the effect off; else a shape parameter
+  bool positive = false;         ///< must be > 0
+  std::string_view sign;         ///< what a positive value does, or what the value means
+};
+
+struct TermInfo {
+  std::string_view id;        ///< family.effect
+  std::string_view sentence;  ///< for people: what happens
+  std::string_view equation;
+  std::string_view source;
+  std::vector<ParameterInfo> parameters;
+  std::string_view borrows;  ///< id of a term whose parameters follow this one's own, or empty
+  std::vector<std::string_view> channels;    ///< columns it touches
+  std::vector<std::string_view> lookalikes;  ///< ids, or words for nuisance parameters
+  std::string_view excitation;               ///< what must happen for it to show
+  std::size_t states = 0;
+  const Term* term = nullptr;  ///< never null in the catalogue; lives as long as the program
+};
+
+/// Every term there is, by id. Valid as long as the program runs.
+std::span<const TermInfo> Catalogue();
+/// Null when there is no such term.
+const TermInfo* FindTerm(std::string_view id);
+/// The known id most like `id`, for an error message.
+std::string_view NearestTerm(std::string_view id);
+
+/// The values of `info`'s parameters in the catalogue's order, then of the term it borrows from:
+/// what the model states, else the defaults. `model` is valid (Validate).
+std::vector<double> FlatParameters(const TermInfo& info, const Model& model);
+
+/// A term that the model switches on. Terms that are off do not appear, so they cost nothing.
+struct ActiveTerm {
+  const TermInfo* info = nullptr;
+  std::vector<double> parameters;
+  std::size_t first_state = 0;  ///< in the vector of all active terms' states
+};
+/// In the model's order of application. `model` is valid (Validate).
+std::vector<ActiveTerm> ActiveTerms(const Model& model);
+
+}  // namespace zrobench::physics

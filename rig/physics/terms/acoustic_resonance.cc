@@ -1,0 +1,91 @@
+#include "rig/physics/terms/acoustic_resonance.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace zrobench::physics {
+namespace {
+
+using Layout = ResonanceLayout;
+
+/// States: the phase of each axis' beat, in turns 0 .. 1. Moving it by the unfolded beat frequency
+/// a sample makes the sampled sinusoid fold at sample_hz / 2 by itself, and a phase that is a state
+/// stays continuous when the tone moves.
+class AcousticResonance final : public Term {
+ public:
+  // The drive oscillator starts anew, and with it the beat.
+  void PowerOn(std::span<double> states) const override {
+    for (double& turns : states) turns = 0;
+  }
+  void Step(const TermContext& context, std::span<const double> parameters,
+            std::span<double> states) const override {
+    if (context.inputs.tone_pa == 0) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double drive_hz =
+          parameters[Layout::kResonanceHz + axis] - parameters[Layout::kModeSplitHz];
+      const double turns =
+          states[axis] + (context.inputs.tone_hz - drive_hz) * context.sample_period_s;
+      states[axis] = turns - std::floor(turns);
+    }
+  }
+  void Output(const TermContext& context, std::span<const double> parameters,
+              std::span<const double> states, Sensed& sensed) const override {
+    if (context.inputs.tone_pa == 0) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double gain = ResonantGain(
+          context.inputs.tone_hz, parameters[Layout::kResonanceHz + axis], parameters[Layout::kQ]);
+      sensed.rate_dps[axis] += parameters[Layout::kInjection + axis] * context.inputs.tone_pa *
+                               gain * std::cos(2 * std::numbers::pi * states[axis]);
+    }
+  }
+};
+
+}  // namespace
+
+double ResonantGain(double tone_hz, double resonance_hz, double q) {
+  const double ratio = tone_hz / resonance_hz;
+  const double stiffness = 1 - ratio * ratio;
+  const double damping = ratio / q;
+  return 1 / (q * std::sqrt(stiffness * stiffness + damping * damping));
+}
+
+TermInfo AcousticResonanceInfo() {
+  static const AcousticResonance term;
+  return {
+      .id = "acoustic.resonance",
+      .sentence =
+          "A tone near an axis' mechanical resonance appears in its rate as a sinusoid at "
+          "the beat with the drive, folded by the sample rate.",
+      .equation =
+          "y = injection p |H(f)| cos(2 pi (f - f_d) t), f_d = resonance - mode_split, "
+          "H(f) = 1 / (1 - (f/f_r)^2 + j f/(Q f_r)), |H(f_r)| scaled to 1",
+      .source =
+          "Son et al., USENIX Security 2015; drive frequencies: MPU-6000A datasheet 11.4.3; "
+          "magnitudes: engineering estimate",
+      .parameters =
+          {{"resonance_hz", "Hz", {33000, 30000, 27000}, 30000, false, true, "centre of each axis"},
+           {"q", "1", {450}, 450, false, true, "quality factor: half-power width is f_r / Q"},
+           {"mode_split_hz",
+            "Hz",
+            {1373},
+            1000,
+            false,
+            false,
+            "resonance above the drive frequency; 0 = a tone at resonance beats at 0 Hz"},
+           {"injection_dps_per_pa",
+            "dps/Pa",
+            {0.06, 0.08, 0.15},
+            0.1,
+            true,
+            false,
+            "amplitude per rms pressure at resonance"}},
+      .borrows = {},
+      .channels = {"gyro_x_dps", "gyro_y_dps", "gyro_z_dps"},
+      .lookalikes = {"acoustic.alias", "acoustic.structure_borne", "acoustic.harmonics"},
+      .excitation = "tones in steps across the resonance, at two levels",
+      .states = 3,
+      .term = &term,
+  };
+}
+
+}  // namespace zrobench::physics
