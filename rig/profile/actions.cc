@@ -136,6 +136,27 @@ Action ReadKind(const std::string& kind, const TableReader& table, const Station
   return ReadPowerCycle(table);
 }
 
+// A stimulus that never comes would make a run that proves nothing.
+void CheckStart(const Action& action, std::optional<double> from_degc, const Stimulus& stimulus,
+                TableReader reader) {
+  const std::optional<double> to_degc = SetPointOf(action);
+  if (stimulus.at_degc && !to_degc) {
+    reader.Complain("at_degc", "only a soak or a ramp passes a temperature; use at_s");
+  }
+  if (stimulus.at_degc && to_degc && from_degc) {
+    const auto [low, high] = std::minmax(*from_degc, *to_degc);
+    if (*stimulus.at_degc < low || *stimulus.at_degc > high) {
+      reader.Complain("at_degc", fmt::format("at_degc = {} is not passed on the way from {} to {}",
+                                             *stimulus.at_degc, *from_degc, *to_degc));
+    }
+  }
+  const Hold* hold = std::get_if<Hold>(&action);
+  if (hold && stimulus.at_s && *stimulus.at_s >= hold->for_s) {
+    reader.Complain("at_s", fmt::format("at_s = {} is after the hold's end at {} s", *stimulus.at_s,
+                                        hold->for_s));
+  }
+}
+
 // Each with its own start: `at_s` or `at_degc`.
 std::optional<Stimulus> ReadStimulus(TableReader reader, const Station& station) {
   const TableReader tone = reader.Table("tone"), move = reader.Table("move");
@@ -155,6 +176,12 @@ std::optional<Stimulus> ReadStimulus(TableReader reader, const Station& station)
 }
 
 }  // namespace
+
+std::optional<double> SetPointOf(const Action& action) {
+  if (const Soak* soak = std::get_if<Soak>(&action)) return soak->to_degc;
+  if (const Ramp* ramp = std::get_if<Ramp>(&action)) return ramp->to_degc;
+  return std::nullopt;
+}
 
 Range SetPointRange(const Station& station) {
   return Limited(station.limits.min_degc, station.limits.max_degc, LimitOf(station, "min_degc"),
@@ -181,11 +208,15 @@ std::optional<Action> ReadAction(TableReader* step, const Station& station) {
   return action;
 }
 
-std::vector<Stimulus> ReadStimuli(TableReader* step, const Station& station) {
+std::vector<Stimulus> ReadStimuli(TableReader* step, const Station& station,
+                                  const std::optional<Action>& action,
+                                  std::optional<double> from_degc) {
   std::vector<Stimulus> stimuli;
   for (const TableReader& table : step->Tables("with")) {
     const std::optional<Stimulus> stimulus = ReadStimulus(table, station);
-    if (stimulus) stimuli.push_back(*stimulus);
+    if (!stimulus) continue;
+    if (action) CheckStart(*action, from_degc, *stimulus, table);
+    stimuli.push_back(*stimulus);
   }
   return stimuli;
 }

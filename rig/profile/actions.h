@@ -10,8 +10,14 @@ namespace zrobench {
 /// Empty when there is none that can be used (reported).
 std::optional<Action> ReadAction(TableReader* step, const Station& station);
 
-/// Reads a step's `with`: tones and moves during it.
-std::vector<Stimulus> ReadStimuli(TableReader* step, const Station& station);
+/// Reads a step's `with`: tones and moves during it. `from_degc`: set point before the step, where
+/// it is known: a stimulus that could never start is refused.
+std::vector<Stimulus> ReadStimuli(TableReader* step, const Station& station,
+                                  const std::optional<Action>& action,
+                                  std::optional<double> from_degc);
+
+/// Where a soak or a ramp goes; empty for other actions.
+std::optional<double> SetPointOf(const Action& action);
 
 /// Temperatures that the plate may be sent to; the message names the station's limit.
 Range SetPointRange(const Station& station);

@@ -106,8 +106,9 @@ Expectation ReadCheck(const Check& check, TableReader reader) {
   if (reader.table()->contains("code") && reader.table()->contains("codes")) {
     reader.Complain("code", "give either code or codes");
   }
-  const double from = expectation.number("from_degc", 0), to = expectation.number("to_degc", 1);
-  if (reader.table()->contains("from_degc") && from >= to) {
+  const double from = expectation.number("from_degc", -HUGE_VAL);
+  const double to = expectation.number("to_degc", HUGE_VAL);
+  if (from >= to) {
     reader.Complain("from_degc", fmt::format("from_degc = {} is not below to_degc = {}", from, to));
   }
   return expectation;

@@ -30,35 +30,8 @@ void ReadNeeds(TableReader reader, const Station& station, Needs* needs) {
   }
 }
 
-std::optional<double> SetPointOf(const Action& action) {
-  if (const Soak* soak = std::get_if<Soak>(&action)) return soak->to_degc;
-  if (const Ramp* ramp = std::get_if<Ramp>(&action)) return ramp->to_degc;
-  return std::nullopt;
-}
-
-// A stimulus that never comes would make a run that proves nothing.
-void CheckStart(const Step& step, std::optional<double> from_degc, const Stimulus& stimulus,
-                TableReader reader) {
-  const std::optional<double> to_degc = SetPointOf(step.action);
-  if (stimulus.at_degc && !to_degc) {
-    reader.Complain("at_degc", "only a soak or a ramp passes a temperature; use at_s");
-  }
-  if (stimulus.at_degc && to_degc && from_degc) {
-    const auto [low, high] = std::minmax(*from_degc, *to_degc);
-    if (*stimulus.at_degc < low || *stimulus.at_degc > high) {
-      reader.Complain("at_degc", fmt::format("at_degc = {} is not passed on the way from {} to {}",
-                                             *stimulus.at_degc, *from_degc, *to_degc));
-    }
-  }
-  const Hold* hold = std::get_if<Hold>(&step.action);
-  if (hold && stimulus.at_s && *stimulus.at_s >= hold->for_s) {
-    reader.Complain("at_s", fmt::format("at_s = {} is after the hold's end at {} s", *stimulus.at_s,
-                                        hold->for_s));
-  }
-}
-
-void CheckNeeds(const Needs& needs, const Step& step, TableReader reader) {
-  const std::optional<double> to_degc = SetPointOf(step.action);
+void CheckNeeds(const Needs& needs, const Action& action, TableReader reader) {
+  const std::optional<double> to_degc = SetPointOf(action);
   if (!to_degc) return;
   if (needs.max_degc && *to_degc > *needs.max_degc) {
     reader.Complain(
@@ -73,19 +46,18 @@ void CheckNeeds(const Needs& needs, const Step& step, TableReader reader) {
 void ReadSteps(TableReader* file, const Station& station, Profile* profile) {
   std::optional<double> degc;  // last set point, unknown before the first
   for (TableReader& reader : file->Tables("step")) {
-    const std::optional<Action> action = ReadAction(&reader, station);
-    const bool all_read = action.has_value();
-    Step step{action.value_or(Action{}), ReadStimuli(&reader, station), reader.place().line};
+    const std::size_t errors = file->diagnostics()->size();
+    std::optional<Action> action = ReadAction(&reader, station);
+    // Half-read values would only breed follow-on errors.
+    if (file->diagnostics()->size() != errors) action.reset();
+    std::vector<Stimulus> with = ReadStimuli(&reader, station, action, degc);
     reader.RefuseOtherKeys();
     if (reader.keys().empty()) reader.Complain("", "this [[step]] does nothing");
-    if (!all_read) continue;
-    CheckNeeds(profile->needs, step, reader);
-    const std::vector<TableReader> with = reader.Tables("with");
-    for (std::size_t i = 0; i < std::min(with.size(), step.with.size()); ++i) {
-      CheckStart(step, degc, step.with[i], with[i]);
-    }
+    if (!action) degc.reset();
+    if (!action) continue;
+    CheckNeeds(profile->needs, *action, reader);
     if (SetPointOf(*action)) degc = SetPointOf(*action);
-    profile->steps.push_back(std::move(step));
+    profile->steps.push_back({*action, std::move(with), reader.place().line});
   }
 }
 

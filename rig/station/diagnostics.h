@@ -21,6 +21,7 @@ class Diagnostics {
 
   void Add(Place at, std::string message);
   bool empty() const { return entries_.empty(); }
+  std::size_t size() const { return entries_.size(); }
   const std::string& file() const { return file_; }
   /// All of them, one `file:line:column: error: message` a line, as a kConfig error.
   Error error() const;

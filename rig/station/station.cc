@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "rig/station/address.h"
@@ -108,6 +109,29 @@ void ReadClock(TableReader reader, Station* station) {
   reader.RefuseOtherKeys();
 }
 
+// `key` is a path as in the file: model.term."acoustic.resonance".q. What is missing there is
+// reported at the nearest table above it.
+Place PlaceOfPath(const toml::table& root, std::string_view key) {
+  const toml::node* node = &root;
+  while (!key.empty() && node->is_table()) {
+    const bool quoted = key.front() == '"';
+    const std::size_t end = quoted ? key.find('"', 1) : key.find('.');
+    const toml::node* next = node->as_table()->get(key.substr(quoted, end - quoted));
+    if (!next) break;
+    node = next;
+    if (end == std::string_view::npos) break;
+    key.remove_prefix(std::min(key.size(), end + 1 + (quoted ? 1 : 0)));
+  }
+  return PlaceOf(*node);
+}
+
+// What only the physics can tell: unknown terms, their parameters, impossible combinations.
+void CheckModel(const toml::table& root, const physics::Model& model, Diagnostics* diagnostics) {
+  for (const physics::ModelError& error : physics::FindErrors(model)) {
+    diagnostics->Add(PlaceOfPath(root, error.key), error.message);
+  }
+}
+
 void ReadFile(TableReader file, Station* station) {
   double schema = 1;
   file.Number("schema", &schema, Range::Between(1, 1));
@@ -132,6 +156,7 @@ Result<Station> LoadStation(const std::filesystem::path& path) {
   Station station;
   station.path = path;
   ReadFile(TableReader(&file->root, "a station file", &diagnostics), &station);
+  CheckModel(file->root, station.model, &diagnostics);
   station.text = std::move(file->text);
   if (!diagnostics.empty()) return tl::unexpected(diagnostics.error());
   return station;
