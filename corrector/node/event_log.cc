@@ -1,10 +1,11 @@
 #include "corrector/node/event_log.h"
 
-#include <cstring>
+#include <string.h>
 
-#include "corrector/node/bytes.h"
+#include "corrector/bytes.h"
+#include "corrector/node/byte_writer.h"
 #include "corrector/node/codec.h"
-#include "corrector/node/crc.h"
+#include "corrector/node/crc16.h"
 
 namespace zro::node {
 
@@ -35,7 +36,7 @@ std::uint32_t EventLog::Peek(std::uint8_t out[kMaxRead * kLogRecordBytes]) const
   const std::uint32_t unread = put_ - read_;
   const std::uint32_t n = unread < kMaxRead ? unread : kMaxRead;
   for (std::uint32_t i = 0; i < n; ++i) {
-    std::memcpy(out + i * kLogRecordBytes, record(read_ + i), kLogRecordBytes);
+    memcpy(out + i * kLogRecordBytes, record(read_ + i), kLogRecordBytes);
   }
   return n;
 }

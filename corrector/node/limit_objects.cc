@@ -1,7 +1,8 @@
 #include "corrector/node/limit_objects.h"
 
+#include "corrector/bytes.h"
+#include "corrector/crc32.h"
 #include "corrector/node/codec.h"
-#include "corrector/node/crc.h"
 
 namespace zro::node {
 namespace {
@@ -82,11 +83,13 @@ SdoAbort SetLimit(std::uint8_t sub, const std::uint8_t* bytes, Limits* limits) {
     case 7:
       return SetFloat(bytes, 1, 1000, &limits->max_vibration_ratio);
     case 8:
-      return SetTemperatures(static_cast<float>(GetI16(bytes)) * kDegcPerTempLsb,
-                             limits->max_temp_degc, limits);
+      return SetTemperatures(
+          static_cast<float>(static_cast<std::int16_t>(GetU16(bytes))) * kDegcPerTempLsb,
+          limits->max_temp_degc, limits);
     case 9:
-      return SetTemperatures(limits->min_temp_degc,
-                             static_cast<float>(GetI16(bytes)) * kDegcPerTempLsb, limits);
+      return SetTemperatures(
+          limits->min_temp_degc,
+          static_cast<float>(static_cast<std::int16_t>(GetU16(bytes))) * kDegcPerTempLsb, limits);
     default:
       return SdoAbort::kNoSub;
   }

@@ -1,7 +1,7 @@
 #pragma once
 // Object 0x2100: the corrector's limits as values of the bus. Freestanding.
 #include "corrector/config.h"
-#include "corrector/node/bytes.h"
+#include "corrector/node/byte_writer.h"
 #include "corrector/node/sdo.h"
 
 namespace zro::node {

@@ -267,7 +267,9 @@ SdoAbort ObjectDictionary::WriteTestModes(std::uint8_t sub, const std::uint8_t* 
   TestModes& modes = *from_.test_modes;
   if (sub == 1) return modes.Unlock(GetU32(bytes)) ? SdoAbort::kNone : SdoAbort::kRange;
   if (!modes.unlocked()) return SdoAbort::kWrongState;
-  const std::int16_t lsb[kAxes] = {GetI16(bytes), GetI16(bytes + 2), GetI16(bytes + 4)};
+  const std::int16_t lsb[kAxes] = {static_cast<std::int16_t>(GetU16(bytes)),
+                                   static_cast<std::int16_t>(GetU16(bytes + 2)),
+                                   static_cast<std::int16_t>(GetU16(bytes + 4))};
   modes.SetInjection(lsb);
   return SdoAbort::kNone;
 }

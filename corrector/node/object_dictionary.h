@@ -24,7 +24,7 @@
 #include <cstdint>
 
 #include "corrector/corrector.h"
-#include "corrector/node/bytes.h"
+#include "corrector/node/byte_writer.h"
 #include "corrector/node/event_log.h"
 #include "corrector/node/identity.h"
 #include "corrector/node/sdo.h"

@@ -1,8 +1,9 @@
 #include "corrector/node/sdo_server.h"
 
-#include <cstring>
+#include <string.h>
 
-#include "corrector/node/bytes.h"
+#include "corrector/bytes.h"
+#include "corrector/node/byte_writer.h"
 
 namespace zro::node {
 namespace {
@@ -64,7 +65,7 @@ void SdoServer::UploadSegment(std::uint8_t command) {
   const bool last = n == left;
   Frame frame{SdoMsg::kTxId, SdoMsg::kDlc, {}};
   frame.data[0] = static_cast<std::uint8_t>(toggle_ | (kSegmentBytes - n) << 1 | (last ? 1u : 0u));
-  std::memcpy(frame.data + 1, buffer_ + sent_, n);
+  memcpy(frame.data + 1, buffer_ + sent_, n);
   sent_ += n;
   toggle_ ^= kToggleBit;
   sink_->Send(frame);
@@ -108,7 +109,7 @@ void SdoServer::DownloadSegment(const Frame& frame) {
   if ((command & kToggleBit) != toggle_) return Abort(SdoAbort::kToggle);
   const std::size_t n = kSegmentBytes - (command >> 1 & 7u);
   if (size_ + n > kBufferBytes) return Abort(SdoAbort::kLength);
-  std::memcpy(buffer_ + size_, frame.data + 1, n);
+  memcpy(buffer_ + size_, frame.data + 1, n);
   size_ += n;
   const auto reply = static_cast<std::uint8_t>(0x20 | toggle_);
   toggle_ ^= kToggleBit;

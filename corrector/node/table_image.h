@@ -3,9 +3,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "corrector/bytes.h"
 #include "corrector/corrector.h"
-#include "corrector/node/bytes.h"
-#include "corrector/node/crc.h"
+#include "corrector/crc32.h"
 
 namespace zro::node {
 

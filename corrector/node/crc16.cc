@@ -1,15 +1,6 @@
-#include "corrector/node/crc.h"
+#include "corrector/node/crc16.h"
 
 namespace zro::node {
-
-std::uint32_t Crc32(const std::uint8_t* bytes, std::size_t size) {
-  std::uint32_t crc = 0xFFFFFFFFu;
-  for (std::size_t i = 0; i < size; ++i) {
-    crc ^= bytes[i];
-    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ (0xEDB88320u & (0u - (crc & 1u)));
-  }
-  return ~crc;
-}
 
 std::uint16_t Crc16(const std::uint8_t* bytes, std::size_t size) {
   std::uint32_t crc = 0xFFFFu;
