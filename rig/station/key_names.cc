@@ -53,6 +53,8 @@ constexpr Unit kUnits[] = {
     {"degc_per_s", "temperature slope"},
     {"k_per_min", "temperature slope"},
     {"k_per_s", "temperature slope"},
+    {"pct_per_k", "gain"},
+    {"pct_per_k_s", "integral gain"},
     {"j_per_k", "heat capacity"},
     {"w_per_k", "conductance"},
     {"mw_per_k", "conductance"},
