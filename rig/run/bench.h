@@ -1,0 +1,28 @@
+#pragma once
+// The instruments of one station, as the controller sees them.
+#include "core/clock.h"
+#include "drivers/environment/environment.h"
+#include "drivers/imu/imu_board.h"
+#include "drivers/operator/operator.h"
+#include "drivers/plate/thermal_plate.h"
+#include "drivers/power/power.h"
+#include "drivers/speaker/speaker.h"
+
+namespace zrobench {
+
+/// Borrowed instruments. `power`, `environment` and `hand` may be null where a bench has none.
+struct Bench {
+  Clock& clock;
+  ThermalPlate& plate;
+  Speaker& speaker;
+  ImuBoard& board;
+  Power* power = nullptr;
+  Environment* environment = nullptr;
+  Operator* hand = nullptr;
+};
+
+/// Makes the bench safe: speaker muted first, then the plate off; the board stays powered and
+/// readable. Tries everything even when one step fails; returns the first failure.
+Status MakeSafe(Bench& bench);
+
+}  // namespace zrobench

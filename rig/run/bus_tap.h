@@ -1,0 +1,47 @@
+#pragma once
+// Turns the bus's frames into record items, in bus order, and adds the means over each second.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "drivers/imu/imu_board.h"
+#include "rig/run/run_log.h"
+
+namespace zrobench {
+
+/// RAW, ACC and RATE of one sample become one ImuSample when the last of them is there. Other
+/// frames that fall between them are written after it: the board handles them after the sample.
+class BusTap final : public FrameListener {
+ public:
+  /// `sample_hz` is the station's; `log` is borrowed.
+  explicit BusTap(RunLog& log) : log_(log) {}
+  void OnFrame(const CanFrame& frame) override;
+
+  /// Samples of which a part (ACC or RATE) never came: inputs of the corrector are missing.
+  std::uint64_t incomplete_samples() const { return incomplete_; }
+
+ private:
+  enum Part : std::uint8_t { kRaw = 1, kAcc = 2, kRate = 4, kAll = 7 };
+
+  bool TakePart(const CanFrame& frame, std::uint64_t at_us);
+  void StartSample(std::uint64_t at_us, std::uint8_t seq);
+  void FinishSample();
+  void TakeOther(const CanFrame& frame, std::uint64_t at_us);
+  void AddToMean(const ImuSample& sample);
+
+  RunLog& log_;
+  ImuSample sample_;
+  std::uint8_t parts_ = 0;
+  std::vector<BusFrame> held_;
+  std::uint64_t incomplete_ = 0;
+
+  struct Sums {
+    std::uint64_t second = 0;
+    std::array<double, 3> raw{}, rate{}, accel{};
+    double temperature = 0;
+    std::uint32_t n = 0;
+  } sums_;
+  double imu_degc_ = 0;
+};
+
+}  // namespace zrobench

@@ -1,0 +1,28 @@
+#include "rig/run/checks/checks.h"
+
+#include <array>
+#include <utility>
+
+#include "core/check.h"
+
+namespace zrobench {
+
+CheckResult RunCheck(const Expectation& expect, const CheckContext& context) {
+  using Check = CheckResult (*)(const Expectation&, const CheckContext&);
+  static constexpr std::array<std::pair<std::string_view, Check>, 7> kChecks = {{
+      {"table_coverage", CheckTableCoverage},
+      {"table_accuracy", CheckTableAccuracy},
+      {"rejects", CheckRejects},
+      {"no_corrupt_entry", CheckNoCorruptEntry},
+      {"table_persists", CheckTablePersists},
+      {"lockstep", CheckLockstep},
+      {"residual_rate", CheckResidualRate},
+  }};
+  for (const auto& [name, check] : kChecks) {
+    if (expect.check == name) return check(expect, context);
+  }
+  ZROBENCH_CHECK(!"the profile loader let an unknown check through");
+  return {};
+}
+
+}  // namespace zrobench

@@ -1,0 +1,137 @@
+// rejects, no_corrupt_entry: what the board decided while the rig provoked it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/units.h"
+#include "rig/run/checks/checks.h"
+#include "rig/run/judge.h"
+#include "rig/run/reference.h"
+
+namespace zrobench {
+namespace {
+
+constexpr std::uint64_t kSecond_us = 1'000'000;
+/// A refusal may come up to a reading (and its re-reads) after the stimulus: it judges what it
+/// averaged.
+constexpr std::uint64_t kVerdictDelay_us = 8 * kSecond_us;
+constexpr std::uint64_t kReading_us = 5 * kSecond_us;   ///< averaging window of one reading
+constexpr std::uint64_t kGraze_us = kSecond_us / 2;     ///< overlap too short to matter
+
+std::vector<int> Codes(const Expectation& expect) {
+  std::vector<int> codes;
+  for (const auto& [key, value] : expect.arguments) {
+    if (key == "code") codes.push_back(static_cast<int>(std::get<double>(value)));
+    if (key != "codes") continue;
+    for (const double code : std::get<std::vector<double>>(value)) {
+      codes.push_back(static_cast<int>(code));
+    }
+  }
+  return codes;
+}
+
+std::string Text(const Expectation& expect, const std::string& wanted) {
+  for (const auto& [key, value] : expect.arguments) {
+    if (key == wanted) return std::get<std::string>(value);
+  }
+  return {};
+}
+
+bool Wrote(zro::Code code) {
+  return code == zro::Code::kNew || code == zro::Code::kMerged || code == zro::Code::kOverwroteOld ||
+         code == zro::Code::kShiftConfirmed;
+}
+
+}  // namespace
+
+CheckResult CheckRejects(const Expectation& expect, const CheckContext& context) {
+  const std::vector<int> codes = Codes(expect);
+  const std::string during = Text(expect, "during");
+  CheckResult result;
+  result.check = expect.check;
+  result.about = fmt::format("refused with code {} during {}", fmt::join(codes, " or "), during);
+  const auto wanted = [&](const TimedDecision& d) {
+    return std::find(codes.begin(), codes.end(), static_cast<int>(d.record.code)) != codes.end();
+  };
+  bool provoked = false;
+  for (const Interval& stimulus : context.evidence.stimuli) {
+    if (stimulus.kind != during) continue;
+    provoked = true;
+    const auto count = std::count_if(
+        context.evidence.decisions.begin(), context.evidence.decisions.end(), [&](const auto& d) {
+          return wanted(d) && d.at_us >= stimulus.first_us &&
+                 d.at_us <= stimulus.last_us + kVerdictDelay_us;
+        });
+    result.measurements.push_back({.name = "rejects." + during,
+                                   .value = static_cast<double>(count),
+                                   .unit = "1",
+                                   .low = expect.number("at_least", 1),
+                                   .first_us = stimulus.first_us,
+                                   .last_us = stimulus.last_us + kVerdictDelay_us});
+  }
+  if (!provoked) result.reason = "no " + during + " was played";
+  JudgeCheck(result);
+  return result;
+}
+
+namespace {
+
+/// Readings that were written although a stimulus acted while they were averaged.
+Measurement WritesDuringStimuli(const Evidence& evidence) {
+  Measurement m{.name = "no_corrupt_entry.during_stimulus",
+                .unit = "1",
+                .high = 0,
+                .first_us = evidence.first_us,
+                .last_us = evidence.last_us};
+  for (const TimedDecision& decision : evidence.decisions) {
+    if (!Wrote(decision.record.code)) continue;
+    const std::uint64_t from = decision.at_us - std::min(decision.at_us, kReading_us);
+    const bool corrupt = std::any_of(
+        evidence.stimuli.begin(), evidence.stimuli.end(), [&](const Interval& i) {
+          return i.kind != "off" && i.Overlaps(from + kGraze_us, decision.at_us - kGraze_us);
+        });
+    m.value += corrupt ? 1 : 0;
+  }
+  return m;
+}
+
+}  // namespace
+
+CheckResult CheckNoCorruptEntry(const Expectation& expect, const CheckContext& context) {
+  const double within = expect.number("within_mdps", 50);
+  CheckResult result;
+  result.check = expect.check;
+  result.about = fmt::format("no reading taken during a stimulus was stored, none off by more than "
+                             "{:g} mdps",
+                             within);
+  result.measurements.push_back(WritesDuringStimuli(context.evidence));
+  for (const TimedDecision& decision : context.evidence.decisions) {
+    if (!Wrote(decision.record.code)) continue;
+    const auto reference = ReferenceAt(context.evidence, decision.record.temp_degc);
+    if (!reference) continue;
+    Measurement m{.name = fmt::format("no_corrupt_entry.{:.1f}", decision.record.temp_degc),
+                  .unit = "mdps",
+                  .high = within,
+                  .first_us = decision.at_us - std::min(decision.at_us, kReading_us),
+                  .last_us = decision.at_us};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double error = std::abs(decision.record.measured_dps[axis] - reference->zro_dps[axis]);
+      if (MdpsFromDps(error) < m.value) continue;
+      m.value = MdpsFromDps(error);
+      m.uncertainty_k2 = MdpsFromDps(reference->uncertainty_k2_dps[axis]);
+    }
+    result.measurements.push_back(m);
+  }
+  if (context.evidence.decisions_lost > 0) {
+    result.reason = fmt::format("{} decisions of the board were lost", context.evidence.decisions_lost);
+  }
+  JudgeCheck(result);
+  if (!result.reason.empty() && result.verdict == Verdict::kPass) {
+    result.verdict = Verdict::kInconclusive;
+  }
+  return result;
+}
+
+}  // namespace zrobench

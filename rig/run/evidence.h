@@ -1,0 +1,55 @@
+#pragma once
+// What the checks look at: one pass over record.ulg, the truth, reduced to seconds, intervals,
+// decisions and tables. Nothing here comes from the controller's memory, so a run can be judged
+// again later from its folder alone.
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "rig/record/decision.h"
+#include "rig/record/item.h"
+
+namespace zrobench {
+
+struct Interval {
+  std::uint64_t first_us = 0, last_us = 0;
+  std::string kind;  ///< "tone", "move", "off"
+  bool Overlaps(std::uint64_t from_us, std::uint64_t to_us) const {
+    return from_us < last_us && to_us > first_us;
+  }
+};
+
+/// A second of means; `quiet` when the board was powered and no stimulus was open nor just over.
+struct Second {
+  MeanItem mean;
+  bool quiet = false;
+};
+
+/// A decision of the board with the host time at which it was taken.
+struct TimedDecision {
+  std::uint64_t at_us = 0;
+  Decision record;
+};
+
+struct Evidence {
+  std::vector<Second> seconds;
+  std::vector<Interval> stimuli;
+  std::vector<TimedDecision> decisions;  ///< in the order read, every boot's
+  std::vector<TableItem> tables;
+  std::uint64_t samples = 0;
+  std::uint64_t samples_lost = 0;   ///< by the sequence byte
+  std::uint64_t inputs_incomplete = 0;
+  std::uint64_t decisions_lost = 0;  ///< missing sequence numbers in the board's log
+  std::uint64_t first_us = 0, last_us = 0;
+  std::vector<std::string> alarms;
+  bool nv_clean_before_cut = true;  ///< DUT_STATUS said "clean" when last seen before a power cut
+  bool completed = false;           ///< the record holds its end, and the run its whole profile
+};
+
+/// kFile when the record cannot be read. A record cut short is read as far as it goes.
+Result<Evidence> GatherEvidence(const std::filesystem::path& record);
+
+}  // namespace zrobench

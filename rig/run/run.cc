@@ -1,0 +1,133 @@
+#include "rig/run/run.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "drivers/imu/can_imu_board.h"
+#include "rig/record/recorder.h"
+#include "rig/record/run_folder.h"
+#include "rig/run/bus_tap.h"
+#include "rig/run/checks/checks.h"
+#include "rig/run/judge.h"
+#include "rig/run/sequencer.h"
+
+namespace zrobench {
+namespace {
+
+std::string HostName() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+RunManifest StartManifest(const RunRequest& request, const Clock& clock) {
+  RunManifest manifest;
+  manifest.profile = request.profile.name;
+  manifest.station = request.station.name;
+  manifest.backend = request.station.all_virtual() ? "virtual" : "hardware";
+  manifest.version = ZROBENCH_VERSION;
+  manifest.build = ZROBENCH_BUILD;
+  manifest.seed = request.seed;
+  manifest.started = clock.utc();
+  manifest.host = HostName();
+  return manifest;
+}
+
+Recorder::Info RecordInfo(const RunRequest& request) {
+  return {{"sys_name", "zrobench"},
+          {"profile", request.profile.name},
+          {"station", request.station.name},
+          {"seed", std::to_string(request.seed)}};
+}
+
+/// The sequence itself, with the record open.
+Flow Drive(const RunRequest& request, Instruments& instruments, Recorder& recorder) {
+  RunLog log(recorder, instruments.clock, request.observer);
+  BusTap tap(log);
+  CanImuBoard board(instruments.bus, instruments.clock, &tap);
+  Bench bench{instruments.clock, instruments.plate,       instruments.speaker, board,
+              instruments.power, instruments.environment, instruments.hand};
+  BenchLoop loop(bench, request.station, log, request.stop);
+  return Sequencer(request.profile, loop).Execute();
+}
+
+/// What a halted run did not show cannot be held against the device.
+void ExcuseTheDevice(const Halt& halt, std::vector<CheckResult>& checks) {
+  const bool rig = halt.why == Halt::Why::kRigFault;
+  for (CheckResult& check : checks) {
+    check.verdict = rig ? Verdict::kRigError : Verdict::kInconclusive;
+    check.reason = (rig ? "rig fault: " : "the run ended early: ") + halt.text;
+  }
+}
+
+Verdict Overall(const std::vector<CheckResult>& checks) {
+  std::vector<Verdict> verdicts;
+  for (const CheckResult& check : checks) verdicts.push_back(check.verdict);
+  return Worst(verdicts);
+}
+
+}  // namespace
+
+std::vector<CheckResult> JudgeRecord(const std::filesystem::path& record, const Profile& profile,
+                                     const Station& station) {
+  std::vector<CheckResult> checks;
+  const auto evidence = GatherEvidence(record);
+  for (const Expectation& expect : profile.expects) {
+    if (evidence) {
+      checks.push_back(RunCheck(expect, {*evidence, station, record}));
+    } else {
+      checks.push_back({.check = expect.check,
+                        .about = {},
+                        .verdict = Verdict::kRigError,
+                        .reason = evidence.error().message,
+                        .measurements = {}});
+    }
+  }
+  return checks;
+}
+
+int ExitCode(const std::vector<CheckResult>& checks, const Flow& flow, int signal) {
+  if (!flow && flow.error().why == Halt::Why::kInterrupted) return signal != 0 ? 128 + signal : 130;
+  if (!flow && flow.error().why == Halt::Why::kSafetyTrip) return 6;
+  if (!flow) return 3;
+  const Verdict verdict = Overall(checks);
+  if (verdict == Verdict::kRigError) return 3;
+  if (verdict == Verdict::kFail) return 1;
+  return verdict == Verdict::kInconclusive ? 4 : 0;
+}
+
+Result<RunOutcome> ExecuteRun(const RunRequest& request, Instruments& instruments) {
+  const RealClock real;
+  auto folder = RunFolder::Create(request.runs, instruments.clock.utc(), request.station.name,
+                                  request.profile.name);
+  if (!folder) return tl::unexpected(folder.error());
+  RunManifest manifest = StartManifest(request, instruments.clock);
+  if (auto ok = folder->WriteInputs(request.profile.text, request.station.text); !ok) {
+    return tl::unexpected(ok.error());
+  }
+  if (auto ok = folder->WriteManifest(manifest); !ok) return tl::unexpected(ok.error());
+  const auto start_us = static_cast<std::uint64_t>(
+      instruments.clock.now().time_since_epoch().count() / 1000);
+  auto recorder = Recorder::Create(folder->record_path(), start_us, RecordInfo(request));
+  if (!recorder) return tl::unexpected(recorder.error());
+
+  Flow flow = Drive(request, instruments, **recorder);
+  if (const Status closed = (*recorder)->Close(); !closed && flow) {
+    flow = Stop(Halt::Why::kRigFault, closed.error().message);
+  }
+  manifest.checks = JudgeRecord(folder->record_path(), request.profile, request.station);
+  if (!flow) {
+    ExcuseTheDevice(flow.error(), manifest.checks);
+    manifest.reason = flow.error().text;
+  }
+  manifest.verdict = Overall(manifest.checks);
+  manifest.exit_code = ExitCode(manifest.checks, flow, request.stop.signal.load());
+  manifest.ended = instruments.clock.utc();
+  manifest.real_s = SecondsOf(real.now());
+  if (auto ok = folder->WriteManifest(manifest); !ok) return tl::unexpected(ok.error());
+  return RunOutcome{manifest, folder->path()};
+}
+
+}  // namespace zrobench

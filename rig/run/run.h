@@ -1,0 +1,58 @@
+#pragma once
+// One run from profile to verdict: folder, record, sequence, checks, run.json.
+#include <filesystem>
+#include <string>
+
+#include "core/result.h"
+#include "drivers/environment/environment.h"
+#include "drivers/link/can_bus.h"
+#include "drivers/operator/operator.h"
+#include "drivers/plate/thermal_plate.h"
+#include "drivers/power/power.h"
+#include "drivers/speaker/speaker.h"
+#include "rig/profile/profile.h"
+#include "rig/record/run_json.h"
+#include "rig/run/halt.h"
+#include "rig/run/run_log.h"
+#include "rig/station/station.h"
+
+namespace zrobench {
+
+/// The opened instruments of a station; all borrowed, the last three may be null.
+struct Instruments {
+  Clock& clock;
+  ThermalPlate& plate;
+  Speaker& speaker;
+  CanBus& bus;
+  Power* power = nullptr;
+  Environment* environment = nullptr;
+  Operator* hand = nullptr;
+};
+
+struct RunRequest {
+  const Profile& profile;
+  const Station& station;
+  std::uint64_t seed = 0;
+  std::filesystem::path runs = "runs";  ///< where the run folder goes
+  const StopRequest& stop;
+  RunObserver* observer = nullptr;      ///< may be null
+};
+
+struct RunOutcome {
+  RunManifest manifest;  ///< as written to run.json
+  std::filesystem::path folder;
+};
+
+/// Blocks for the whole run (in the instruments' clock). The bench is safe when it returns. An
+/// Error means that no run took place (folder or record could not be made); everything else,
+/// a fault of the rig included, is an outcome.
+Result<RunOutcome> ExecuteRun(const RunRequest& request, Instruments& instruments);
+
+/// Judges a record by its profile: what ExecuteRun does after the last step.
+std::vector<CheckResult> JudgeRecord(const std::filesystem::path& record, const Profile& profile,
+                                     const Station& station);
+
+/// Exit code of a verdict (design: the first that applies).
+int ExitCode(const std::vector<CheckResult>& checks, const Flow& flow, int signal);
+
+}  // namespace zrobench

@@ -1,0 +1,27 @@
+#pragma once
+// Takes the bench through a profile, step by step, and always leaves it safe.
+#include "rig/profile/profile.h"
+#include "rig/run/bench_loop.h"
+
+namespace zrobench {
+
+class Sequencer {
+ public:
+  Sequencer(const Profile& profile, BenchLoop& loop) : profile_(profile), loop_(loop) {}
+
+  /// Runs every step; on every way out the last stimulus is ended and the bench made safe.
+  Flow Execute();
+  int steps_completed() const { return steps_completed_; }
+
+ private:
+  Flow Begin();
+  Flow RunSteps();
+  Flow FinishStimuli();
+  Flow End();
+
+  const Profile& profile_;
+  BenchLoop& loop_;
+  int steps_completed_ = 0;
+};
+
+}  // namespace zrobench
