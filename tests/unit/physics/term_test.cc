@@ -1,0 +1,83 @@
+#include "rig/physics/term.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace zrobench::physics {
+namespace {
+
+using testing::ElementsAre;
+
+const std::set<std::string_view> kFamilies = {"thermal", "gyro", "acoustic", "time", "bus"};
+
+TEST(Catalogue, EveryEntryIsComplete) {
+  std::set<std::string_view> ids;
+  for (const TermInfo& info : Catalogue()) {
+    EXPECT_TRUE(ids.insert(info.id).second) << info.id << " twice";
+    EXPECT_TRUE(kFamilies.contains(info.id.substr(0, info.id.find('.')))) << info.id;
+    EXPECT_NE(info.term, nullptr);
+    for (const auto text : {info.sentence, info.equation, info.source, info.excitation}) {
+      EXPECT_FALSE(text.empty()) << info.id;
+    }
+    EXPECT_FALSE(info.channels.empty()) << info.id;
+    EXPECT_FALSE(info.lookalikes.empty()) << info.id;
+    bool has_coefficient = false;
+    for (const ParameterInfo& parameter : info.parameters) {
+      EXPECT_TRUE(parameter.defaults.size() == 1 || parameter.defaults.size() == 3);
+      EXPECT_FALSE(parameter.unit.empty() || parameter.sign.empty()) << parameter.name;
+      EXPECT_GT(parameter.typical, 0) << parameter.name;
+      has_coefficient |= parameter.coefficient;
+    }
+    EXPECT_TRUE(has_coefficient) << info.id;
+    EXPECT_TRUE(info.borrows.empty() || FindTerm(info.borrows)) << info.id;
+  }
+}
+
+TEST(Catalogue, FindsByExactIdOnly) {
+  EXPECT_EQ(FindTerm("acoustic.resonance")->id, "acoustic.resonance");
+  EXPECT_EQ(FindTerm("acoustic.resonanc"), nullptr);
+  EXPECT_EQ(NearestTerm("acoustic.resonanc"), "acoustic.resonance");
+  EXPECT_EQ(NearestTerm("rectification"), "acoustic.rectification");
+}
+
+TEST(FlatParameters, StatedValuesReplaceDefaultsAndBorrowedOnesFollow) {
+  Model model;
+  model.term["acoustic.resonance"]["q"] = {900};
+  model.term["acoustic.rectification"]["dps_per_pa2"] = {1, 2, 3};
+  EXPECT_THAT(FlatParameters(*FindTerm("acoustic.rectification"), model),
+              ElementsAre(1, 2, 3, 33000, 30000, 27000, 900, 1373, 0.06, 0.08, 0.15));
+}
+
+TEST(ActiveTerms, HoldsWhatIsListedInItsOrderAndNothingElse) {
+  Model model;
+  model.term["acoustic.resonance"]["q"] = {900};  // stated, but not listed
+  EXPECT_TRUE(ActiveTerms(model).empty());
+  model.terms = {"acoustic.resonance", "acoustic.rectification"};
+  const auto both = ActiveTerms(model);
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_EQ(both[0].info->id, "acoustic.resonance");
+  EXPECT_EQ(both[0].first_state, 0u);
+  EXPECT_EQ(both[1].info->id, "acoustic.rectification");
+  EXPECT_EQ(both[1].first_state, 3u);
+}
+
+TEST(Term, RunsFromFlatVectorsSoThatAFiniteDifferenceIsItsCoefficient) {
+  const TermInfo& info = *FindTerm("acoustic.rectification");
+  const std::vector<double> parameters = FlatParameters(info, Model{});
+  Inputs inputs;
+  inputs.tone_hz = 27000;
+  inputs.tone_pa = 2;
+  const auto rate_z = [&](double coefficient) {
+    std::vector<double> moved = parameters;
+    moved[2] = coefficient;
+    Sensed sensed;
+    info.term->Output({inputs, {}, 0.005}, moved, {}, sensed);
+    return sensed.rate_dps[2];
+  };
+  EXPECT_NEAR((rate_z(0.076) - rate_z(0.074)) / 0.002, 4, 1e-9);  // p^2 at resonance
+}
+
+}  // namespace
+}  // namespace zrobench::physics
