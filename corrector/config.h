@@ -1,6 +1,6 @@
 #pragma once
-// Thresholds in physical units. Defaults are for a consumer MEMS gyro; where a figure follows from a
-// datasheet, the comment says from which.
+// Thresholds in physical units. Defaults are for a consumer MEMS gyro; where a figure follows from
+// a datasheet, the comment says from which.
 #include <cstdint>
 
 namespace zro {
@@ -23,12 +23,12 @@ struct Limits {
 struct Config {
   float sample_hz = 200.0f;
   float gyro_noise_density_dps_per_rthz = 0.005f;  ///< datasheet; first guess of the noise floor
-  float bin_degc = 2.5f;              ///< "close temperature": table granularity
-  float coverage_min_degc = 0.0f;     ///< the table is complete when every bin between these ...
-  float coverage_max_degc = 50.0f;    ///< ... has an entry younger than old_days
-  std::uint16_t recent_days = 1;      ///< an entry younger than this is recent (fig. 5, 57)
-  std::uint16_t old_days = 30;        ///< older than this: overwritten when close (fig. 5, 54 -> 59)
-  std::uint8_t max_retries = 3;       ///< re-reads within one still (fig. 4)
+  float bin_degc = 2.5f;                           ///< "close temperature": table granularity
+  float coverage_min_degc = 0.0f;   ///< the table is complete when every bin between these ...
+  float coverage_max_degc = 50.0f;  ///< ... has an entry younger than old_days
+  std::uint16_t recent_days = 1;    ///< an entry younger than this is recent (fig. 5, 57)
+  std::uint16_t old_days = 30;      ///< older than this: overwritten when close (fig. 5, 54 -> 59)
+  std::uint8_t max_retries = 3;     ///< re-reads within one still (fig. 4)
   Limits limits;
 };
 

@@ -2,8 +2,18 @@
 // The gyro zero-rate-offset corrector: learns (temperature, ZRO) pairs while the board is
 // motionless, checks each before it may enter the table, subtracts the interpolated offset.
 // Implements the method of US 8,577,633 B2 (figures 4 and 5, claims 1-13); docs/patent-map.md.
+#include "corrector/age.h"
+#include "corrector/arithmetic.h"
 #include "corrector/config.h"
+#include "corrector/event_queue.h"
+#include "corrector/noise_floor.h"
+#include "corrector/quality.h"
+#include "corrector/quarantine.h"
+#include "corrector/reading.h"
+#include "corrector/sanity.h"
+#include "corrector/stillness.h"
 #include "corrector/storage.h"
+#include "corrector/store.h"
 #include "corrector/table.h"
 #include "corrector/types.h"
 
@@ -26,18 +36,20 @@ class Corrector {
   /// One sample in, one corrected rate out. Bounded time; no I/O except a table commit.
   Output Step(const Sample& sample);
 
-  /// Takes the oldest event not yet taken; false when there is none. At most kEventQueue are kept
-  /// (the oldest give way); lost_events() counts the others.
-  bool PopEvent(Event* out);
-  std::uint32_t lost_events() const { return lost_events_; }
+  /// Takes the oldest event not yet taken; false when there is none. At most
+  /// EventQueue::kCapacity are kept (the oldest give way); lost_events() counts the others.
+  bool PopEvent(Event* out) { return events_.Pop(out); }
+  std::uint32_t lost_events() const { return events_.lost(); }
 
-  /// Adds an entry measured at the factory (claim 7). Not stored until Commit().
+  /// Adds an entry measured at the factory (claim 7). Not stored until Commit(). Replaces the
+  /// factory entry of the same bin. False when the values are unfit or the table is full.
   bool AddFactoryEntry(float temp_degc, const float zro_dps[kAxes], float sigma_dps);
-  /// Writes the table to the store now (object 0x1010). False when the storage failed.
+  /// Writes the table to the store now (object 0x1010), unless nothing changed since the last
+  /// time. False when the storage failed.
   bool Commit();
   /// Drops what was learned, keeps the factory's entries, commits (object 0x1011).
   bool RestoreFactory();
-  void SetLimits(const Limits& limits);
+  void SetLimits(const Limits& limits) { config_.limits = limits; }
   const Limits& limits() const { return config_.limits; }
   /// While set, readings are refused with kTestMode (object 0x2101).
   void SetTestMode(bool on) { test_mode_ = on; }
@@ -48,16 +60,81 @@ class Corrector {
   bool complete() const { return complete_; }
 
  private:
-  static constexpr int kEventQueue = 16;
-  // private parts are the corrector room's own
+  /// The still period under way.
+  struct Period {
+    Finding pending;           ///< mismatch being re-read; kNone: none
+    std::uint32_t resume_at;   ///< no reading before this sample, while waiting
+    std::uint32_t written_at;  ///< last write, to written_bin, while wrote
+    std::int16_t written_bin;
+    std::uint8_t refusals;  ///< since the last accepted reading
+    bool waiting;
+    bool wrote;
+    bool judged;  ///< a reading of it was learned or refused
+    bool voted;   ///< it had its say in the quarantine
+  };
+
+  void Learn(const Sample& sample);
+  void EndStill();
+  void Judge();
+  void Refuse(const Finding& finding, const Summary& reading);
+  void Contradict(const Decision& decision, const Summary& reading);
+  void Vote();
+  void Confirm();
+  void ShiftTable(const float shift_dps[kAxes]);
+  void Accept(const Decision& decision, const Summary& reading);
+  void Write(const Decision& decision, const Summary& reading);
+  void SayNothingToDo(const Finding& finding, const Summary& reading);
+  void NoteWrite(float temp_degc, bool promptly);
+  void UpdateCompletion();
+  bool EveryBinIsFresh() const;
+  Entry EntryOf(const Summary& reading) const;
+  bool MayMerge(float temp_degc) const;
+
+  void TakeTemperature(const Sample& sample);
+  void CommitIfDue();
+  const Estimate& EstimateNow();
+  Output Correct(const Sample& sample);
+  Source SourceOf(const Estimate& estimate) const;
+  bool Vibrates() const;
+  void Emit(const Finding& finding, float temp_degc, const float* measured_dps);
+  std::uint8_t WireBin(float temp_degc) const;
+  Age Ages() const { return Age(date_, config_); }
+  std::uint32_t Samples(float seconds) const { return SamplesIn(seconds, config_.sample_hz); }
+  bool Due(std::uint32_t at) const { return static_cast<std::int32_t>(sample_ - at) >= 0; }
+
   Config config_;
-  Storage* storage_;
   Table table_;
+  Store store_;
+  EventQueue events_;
+  Stillness stillness_;
+  Reading reading_;
+  NoiseFloor floor_;
+  PresentNoise noise_;
+  Quarantine quarantine_;
+  Period period_{};
+  Entry candidate_{};                      ///< the latest reading that the table contradicted ...
+  float candidate_shift_dps_[kAxes] = {};  ///< ... and by how much
+  Estimate estimate_{};                    ///< at estimate_degc_; holds while fresh_
+  float estimate_degc_ = 0.0f;
+  float temp_degc_ = 0.0f;  ///< last physical temperature
   std::uint32_t generation_ = 0;
-  std::uint32_t lost_events_ = 0;
+  std::uint32_t sample_ = 0;  ///< index of the present sample since boot
+  std::uint32_t commit_at_ = 0;
+  std::uint32_t last_commit_ = 0;
+  std::uint32_t said_at_ = 0;  ///< last kRecentNothingToDo
+  std::uint16_t date_ = 0;
+  std::int16_t said_bin_ = 0;
+  bool said_ = false;
+  bool started_ = false;
+  bool has_temp_ = false;
+  bool temp_valid_ = false;  ///< the present sample's own temperature is physical
+  bool fresh_ = false;
+  bool commit_due_ = false;
   bool dirty_ = false;
   bool complete_ = false;
   bool test_mode_ = false;
+  bool updated_ = false;
+  bool store_invalid_ = false;
 };
 
 }  // namespace zro

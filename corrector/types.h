@@ -11,13 +11,13 @@ inline constexpr std::uint8_t kNoBin = 63;
 
 /// One instant of the board's sensors.
 struct Sample {
-  float rate_dps[kAxes];   ///< uncorrected gyro
-  float accel_g[kAxes];    ///< accelerometer, gravity included
-  float temp_degc;         ///< last temperature the sensor gave; may be held over several samples
-  std::uint32_t elapsed;   ///< nominal sample periods since the previous sample; 1 = consecutive
-  bool gyro_clipped;       ///< a gyro axis at full scale
-  bool accel_clipped;      ///< an accelerometer axis at full scale
-  bool overrun;            ///< the sensor lost data before this sample
+  float rate_dps[kAxes];  ///< uncorrected gyro
+  float accel_g[kAxes];   ///< accelerometer, gravity included
+  float temp_degc;        ///< last temperature the sensor gave; may be held over several samples
+  std::uint32_t elapsed;  ///< nominal sample periods since the previous sample; 1 = consecutive
+  bool gyro_clipped;      ///< a gyro axis at full scale
+  bool accel_clipped;     ///< an accelerometer axis at full scale
+  bool overrun;           ///< the sensor lost data before this sample
 };
 
 /// Why something was or was not learned. The numbers are the wire's (EMCY, log 0x2201).
@@ -58,21 +58,21 @@ inline constexpr bool IsRejection(Code c) {
 
 /// One decision with the numbers behind it.
 struct Event {
-  std::uint32_t seq;           ///< counts every event since the store was blank or cleared at boot
-  std::uint32_t sample;        ///< index of the sample it was taken at, since boot
+  std::uint32_t seq;     ///< counts every event since the store was blank or cleared at boot
+  std::uint32_t sample;  ///< index of the sample it was taken at, since boot
   Code code;
-  std::uint8_t axis;           ///< worst axis 0..2, kNoAxis where none
-  std::uint8_t bin;            ///< table bin of temp_degc, kNoBin where none
-  float temp_degc;             ///< smoothed temperature of the reading
-  float measured_dps[kAxes];   ///< smoothed gyro of the reading (0 where there was none yet)
-  float limit;                 ///< the limit that decided, in the unit of the code's quantity
-  float value;                 ///< the quantity compared with it (same unit)
+  std::uint8_t axis;          ///< worst axis 0..2, kNoAxis where none
+  std::uint8_t bin;           ///< table bin of temp_degc, kNoBin where none
+  float temp_degc;            ///< smoothed temperature of the reading
+  float measured_dps[kAxes];  ///< smoothed gyro of the reading (0 where there was none yet)
+  float limit;                ///< the limit that decided, in the unit of the code's quantity
+  float value;                ///< the quantity compared with it (same unit)
 };
 
 /// Where the offset now subtracted comes from (wire: DUT_CORR CorrState).
 enum class Source : std::uint8_t {
   kOff = 0,
-  kDefaultZero = 1,       ///< table empty: nothing is subtracted
+  kDefaultZero = 1,  ///< table empty: nothing is subtracted
   kInterpolated = 2,
   kExtrapolatedHold = 3,  ///< outside the table: bounded extrapolation
   kLearning = 4,          ///< interpolated, while the device is still and a reading is under way
@@ -85,12 +85,12 @@ struct Output {
   float zro_dps[kAxes];   ///< offset subtracted
   float sigma_dps;        ///< 1-sigma uncertainty of zro_dps, worst axis
   Source source;
-  std::uint8_t bin;       ///< nearest table bin, kNoBin when the table is empty
-  std::uint16_t age_days; ///< age of the nearest entry; 0xFFFF when unknown
-  bool still;             ///< declared motionless
-  bool learning;          ///< a reading is being averaged
-  bool vibration;         ///< gyro noise well above its floor
-  bool updated;           ///< this sample wrote the table (codes 32, 33, 34, 37)
+  std::uint8_t bin;        ///< nearest table bin, kNoBin when the table is empty
+  std::uint16_t age_days;  ///< age of the nearest entry; 0xFFFF when unknown
+  bool still;              ///< declared motionless
+  bool learning;           ///< a reading is being averaged
+  bool vibration;          ///< gyro noise well above its floor
+  bool updated;            ///< this sample wrote the table (codes 32, 33, 34, 37)
 };
 
 }  // namespace zro

@@ -1,0 +1,50 @@
+#pragma once
+// What this gyro's noise is when nothing disturbs it.
+#include <cstdint>
+
+#include "corrector/reading.h"
+#include "corrector/types.h"
+
+namespace zro {
+
+/// Per-axis standard deviation of a sample at rest, learned from accepted readings. Until the
+/// first, the datasheet's noise density over half the sample rate stands in for it, with
+/// kGuessTolerance: parts and filter bandwidths differ from the sheet.
+class NoiseFloor {
+ public:
+  static constexpr float kGuessTolerance = 1.5f;
+
+  /// Density one-sided, dps/sqrt(Hz).
+  NoiseFloor(float density_dps_per_rthz, float sample_hz);
+
+  /// An accepted reading: followed quickly downwards, slowly upwards, so that a noisy surrounding
+  /// cannot lift the floor by being met often.
+  void Learn(const Summary& reading);
+
+  /// Noise of an axis over its floor; divided by kGuessTolerance while the floor is a guess.
+  float Ratio(float std_dps, int axis) const;
+
+ private:
+  float floor_dps_[kAxes];
+  bool learned_ = false;
+};
+
+/// Noise of the present moment, from differences of successive samples: unlike a variance, it sees
+/// neither offset nor slow change.
+class PresentNoise {
+ public:
+  static constexpr float kMemoryS = 1.0f;
+
+  explicit PresentNoise(float sample_hz);
+  void Add(const float rate_dps[kAxes]);
+  /// Standard deviation of a sample.
+  float Std(int axis) const;
+
+ private:
+  float gain_;
+  float previous_dps_[kAxes] = {};
+  float squares_[kAxes] = {};
+  bool primed_ = false;
+};
+
+}  // namespace zro
