@@ -19,7 +19,7 @@ constexpr double kHoldPerTau = 1.0 / 8;
 double WhiteSigma(double per_rthz, double sample_hz) { return per_rthz * std::sqrt(sample_hz / 2); }
 
 FlickerNoise::FlickerNoise(double b, double sample_hz, std::uint64_t seed, std::uint64_t stream)
-    : random_(seed, stream) {
+    : random_(seed, stream), sample_hz_(sample_hz) {
   ZROBENCH_CHECK(b >= 0 && sample_hz > 0);
   const double ratio = static_cast<double>(kRatio);
   const double sigma = b * std::sqrt(std::log(ratio) / (2 * std::numbers::pi));
@@ -45,6 +45,23 @@ void FlickerNoise::StepHeld() {
     held_sum_ += process.value;
     period *= kRatio;
   }
+}
+
+double FlickerNoise::Density(double hz) const {
+  const double half_turn = std::numbers::pi * hz / sample_hz_;  // of the phase, a sample
+  // An autoregression of order one, each value held for `hold` samples.
+  const auto one = [&](const Process& p, double hold) {
+    const double swing = 2 * std::sin(half_turn * hold);
+    const double level =
+        p.kick * p.kick / ((1 - p.decay) * (1 - p.decay) + p.decay * swing * swing);
+    const double held = std::sin(half_turn * hold) / (hold * std::sin(half_turn));
+    return 2 * hold / sample_hz_ * level * held * held;
+  };
+  double sum = 0;
+  for (const Process& process : every_sample_) sum += one(process, 1);
+  double hold = 1;
+  for (const Process& process : held_) sum += one(process, hold *= static_cast<double>(kRatio));
+  return sum;
 }
 
 }  // namespace zrobench::physics

@@ -32,6 +32,9 @@ class FlickerNoise {
     if ((++count_ & (kRatio - 1)) == 0) StepHeld();
     return sum;
   }
+  /// One-sided density that the bank truly has at `hz` in (0, sample_hz / 2], its ripple, aliases
+  /// and holding included [unit of `b` squared per Hz].
+  double Density(double hz) const;
 
  private:
   static constexpr std::uint64_t kRatio = 4;
@@ -42,6 +45,7 @@ class FlickerNoise {
   void StepHeld();
 
   RandomStream random_;
+  double sample_hz_;
   std::vector<Process> every_sample_;
   std::vector<Process> held_;  ///< the i-th moves every 4^(i+1) samples
   double held_sum_ = 0;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -31,20 +32,24 @@ TEST(RandomStream, NormalsHaveTheSameBitsInEveryBuild) {
 TEST(RandomStream, NormalsAreNormal) {
   RandomStream stream(7, 1);
   constexpr int kN = 4'000'000;
-  double m1 = 0, m2 = 0, m3 = 0, m4 = 0;
+  double m1 = 0, m2 = 0, m3 = 0, m4 = 0, low = 0, high = 0;
   std::vector<int> beyond(6);
   for (int i = 0; i < kN; ++i) {
     const double x = stream.Normal();
     m1 += x, m2 += x * x, m3 += x * x * x, m4 += x * x * x * x;
-    for (std::size_t k = 0; k < beyond.size(); ++k) beyond[k] += x > static_cast<double>(k);
+    for (std::size_t k = 0; k < beyond.size(); ++k)
+      beyond[k] += std::fabs(x) > static_cast<double>(k);
+    low = std::min(low, x), high = std::max(high, x);
   }
+  EXPECT_LT(low, -4.5);
+  EXPECT_GT(high, 4.5);
   const double error = 1 / std::sqrt(kN);  // of the mean; moments' own errors: times 1.4, 3.9, 9.8
   EXPECT_NEAR(m1 / kN, 0, 4 * error);
   EXPECT_NEAR(m2 / kN, 1, 4 * 1.42 * error);
   EXPECT_NEAR(m3 / kN, 0, 4 * 3.88 * error);
   EXPECT_NEAR(m4 / kN, 3, 4 * 9.80 * error);
   for (std::size_t k = 0; k < beyond.size(); ++k) {
-    const double expected = 0.5 * std::erfc(static_cast<double>(k) / std::sqrt(2)) * kN;
+    const double expected = std::erfc(static_cast<double>(k) / std::sqrt(2)) * kN;
     EXPECT_NEAR(beyond[k], expected, 4 * std::sqrt(expected) + 1) << "beyond " << k << " sigma";
   }
 }
@@ -124,6 +129,17 @@ TEST_F(Flicker, FollowsOneOverFOverFiveDecades) {
     sfs += (log_f[i] - mf) * (log_s[i] - ms);
   }
   EXPECT_NEAR(sfs / sff, -1, 0.02);
+}
+
+TEST_F(Flicker, DesignKeepsItsStatedRipple) {
+  for (const double sample_hz : {1.0, 50.0, 200.0, 1000.0}) {
+    const FlickerNoise noise(kB, sample_hz, 1, 0);
+    for (double hz = sample_hz / 2; hz > 1.0 / 86400; hz *= 0.97) {
+      const double off_db = Decibel(noise.Density(hz) / Expected(hz));
+      const bool inner = hz < sample_hz / 1000 && hz > 10.0 / 86400;
+      EXPECT_NEAR(off_db, 0, inner ? 0.1 : 0.75) << hz << " Hz of " << sample_hz << " Hz";
+    }
+  }
 }
 
 TEST_F(Flicker, AllanDeviationIsFlatAtTheFloor) {

@@ -144,7 +144,7 @@ TEST(RigModel, NoiseHasItsSizeOnEveryAxis) {
   constexpr int kN = 200000;
   const Axes offset_dps = rig.TrueZro();
   Axes rate2{}, accel2{};
-  double cross = 0;
+  double cross = 0, gyro_accel = 0;
   for (int i = 0; i < kN; ++i) {
     const Sensed s = rig.SampleSensors({});
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -152,12 +152,14 @@ TEST(RigModel, NoiseHasItsSizeOnEveryAxis) {
       accel2[axis] += std::pow(s.accel_g[axis] - (axis == 2 ? 1 : 0), 2) / kN;
     }
     cross += (s.rate_dps[0] - offset_dps[0]) * (s.rate_dps[1] - offset_dps[1]) / kN;
+    gyro_accel += (s.rate_dps[0] - offset_dps[0]) * s.accel_g[0] / kN;
   }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     EXPECT_NEAR(std::sqrt(rate2[axis]) / (0.005 * 10), 1, 0.01);
     EXPECT_NEAR(std::sqrt(accel2[axis]) / (1e-4 * 10), 1, 0.01);
   }
   EXPECT_NEAR(cross / (0.05 * 0.05), 0, 0.01);
+  EXPECT_NEAR(gyro_accel / (0.05 * 1e-3), 0, 0.01);
 }
 
 TEST(RigModel, FlickerOfTheModelReachesTheGyro) {
