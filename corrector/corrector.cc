@@ -17,7 +17,8 @@ Corrector::Corrector(const Config& config, Storage* storage)
       reading_(config.sample_hz),
       floor_(config.gyro_noise_density_dps_per_rthz, config.sample_hz),
       noise_(config.sample_hz),
-      quarantine_(config.sample_hz) {}
+      quarantine_(config.sample_hz),
+      residual_(config.sample_hz) {}
 
 void Corrector::Boot() {
   store_invalid_ = store_.Read(&table_, &generation_) == Store::Load::kInvalid;
@@ -77,6 +78,7 @@ bool Corrector::RestoreFactory() {
   dirty_ = dirty_ || store_invalid_;
   fresh_ = false;
   quarantine_.Clear();
+  residual_.Clear();
   period_ = {};
   reading_.Stop();
   UpdateCompletion();
@@ -130,7 +132,8 @@ Output Corrector::Correct(const Sample& sample) {
   out.source = SourceOf(estimate);
   const bool applies = out.source != Source::kOff && estimate.valid && has_temp_;
   for (int axis = 0; axis < kAxes; ++axis) {
-    out.zro_dps[axis] = applies ? estimate.zro_dps[axis] : 0.0f;
+    out.zro_dps[axis] =
+        applies ? estimate.zro_dps[axis] + residual_.At(axis, temp_degc_, sample_) : 0.0f;
     out.rate_dps[axis] = sample.rate_dps[axis] - out.zro_dps[axis];
   }
   // Without a table the offset may be anything a gyro's datasheet allows.

@@ -10,6 +10,7 @@
 #include "corrector/quality.h"
 #include "corrector/quarantine.h"
 #include "corrector/reading.h"
+#include "corrector/residual.h"
 #include "corrector/sanity.h"
 #include "corrector/stillness.h"
 #include "corrector/storage.h"
@@ -111,6 +112,7 @@ class Corrector {
   NoiseFloor floor_;
   PresentNoise noise_;
   Quarantine quarantine_;
+  Residual residual_;
   Period period_{};
   Entry candidate_{};                      ///< the latest reading that the table contradicted ...
   float candidate_shift_dps_[kAxes] = {};  ///< ... and by how much

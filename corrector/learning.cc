@@ -132,6 +132,7 @@ void Corrector::Confirm() {
   Emit({Code::kShiftConfirmed, shift.axis, shift.value, config_.limits.max_step_dps},
        candidate_.temp_degc, candidate_.zro_dps);
   quarantine_.Clear();
+  residual_.Clear();
   NoteWrite(candidate_.temp_degc, true);
   UpdateCompletion();
 }
@@ -168,13 +169,12 @@ void Corrector::Accept(const Decision& decision, const Summary& reading) {
   if (complete_) {  // STOP: the reading only showed that the table still holds
     period_.waiting = true;
     period_.resume_at = sample_ + Samples(kWatchS);
-    return;
-  }
-  if (decision.finding.code == Code::kRecentNothingToDo) {
+  } else if (decision.finding.code == Code::kRecentNothingToDo) {
     SayNothingToDo(decision.finding, reading);
   } else {
     Write(decision, reading);
   }
+  residual_.Take(reading, table_.At(reading.temp_degc).zro_dps, sample_);
 }
 
 void Corrector::Write(const Decision& decision, const Summary& reading) {

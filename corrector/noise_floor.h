@@ -12,7 +12,7 @@ namespace zro {
 /// kGuessTolerance: parts and filter bandwidths differ from the sheet.
 class NoiseFloor {
  public:
-  static constexpr float kGuessTolerance = 1.5f;
+  static constexpr float kGuessTolerance = 3.0f;
 
   /// Density one-sided, dps/sqrt(Hz).
   NoiseFloor(float density_dps_per_rthz, float sample_hz);

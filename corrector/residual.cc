@@ -1,0 +1,25 @@
+#include "corrector/residual.h"
+
+#include "corrector/arithmetic.h"
+
+namespace zro {
+
+void Residual::Take(const Summary& reading, const float table_dps[kAxes], std::uint32_t sample) {
+  const float noise = Square(reading.sigma_dps);
+  for (int axis = 0; axis < kAxes; ++axis) {
+    const float difference = reading.zro_dps[axis] - table_dps[axis];
+    difference_dps_[axis] = difference * Square(difference) / (Square(difference) + 4.0f * noise);
+  }
+  temp_degc_ = reading.temp_degc;
+  sample_ = sample;
+  held_ = true;
+}
+
+float Residual::At(int axis, float temp_degc, std::uint32_t sample) const {
+  if (!held_) return 0.0f;
+  const float by_time = 1.0f - static_cast<float>(sample - sample_) / fade_samples_;
+  const float by_temp = 1.0f - fabsf(temp_degc - temp_degc_) / kFadeDegc;
+  return by_time <= 0.0f || by_temp <= 0.0f ? 0.0f : difference_dps_[axis] * by_time * by_temp;
+}
+
+}  // namespace zro

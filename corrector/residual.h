@@ -1,0 +1,37 @@
+#pragma once
+// What the latest accepted reading said beyond the table.
+#include <cstdint>
+
+#include "corrector/reading.h"
+#include "corrector/types.h"
+
+namespace zro {
+
+/// Hysteresis, thermal lag and a coarse temperature sensor make the offset of this quarter of an
+/// hour differ from the table's at the same temperature. The difference that the latest accepted
+/// reading showed is added to the interpolated offset, fading over kFadeS and kFadeDegc. Never
+/// stored, never part of the sanity check.
+class Residual {
+ public:
+  static constexpr float kFadeS = 900.0f;
+  static constexpr float kFadeDegc = 5.0f;
+
+  explicit Residual(float sample_hz) : fade_samples_(kFadeS * sample_hz) {}
+
+  /// `table_dps`: the table's offset at the reading's temperature. A difference within the
+  /// reading's noise is mostly dropped, a clear one kept.
+  void Take(const Summary& reading, const float table_dps[kAxes], std::uint32_t sample);
+  void Clear() { held_ = false; }
+
+  /// To be added to the table's offset of `axis`, dps.
+  float At(int axis, float temp_degc, std::uint32_t sample) const;
+
+ private:
+  float fade_samples_;
+  float difference_dps_[kAxes] = {};
+  float temp_degc_ = 0.0f;
+  std::uint32_t sample_ = 0;
+  bool held_ = false;
+};
+
+}  // namespace zro
