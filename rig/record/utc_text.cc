@@ -12,6 +12,7 @@ using std::chrono::days;
 using std::chrono::sys_days;
 
 constexpr std::int64_t kNsPerDay = 86'400'000'000'000;
+constexpr sys_days kCanopenStart{std::chrono::year(1984) / 1 / 1};
 
 std::optional<sys_days> Day(int year, unsigned month, unsigned day) {
   const std::chrono::year_month_day date{std::chrono::year(year), std::chrono::month(month),
@@ -59,11 +60,15 @@ std::optional<UtcNs> ParseUtc(std::string_view view) {
 }
 
 std::uint16_t CanopenDays(UtcNs utc) {
-  constexpr sys_days kStart{std::chrono::year(1984) / 1 / 1};
-  const auto since = utc / kNsPerDay - kStart.time_since_epoch().count();
+  const auto since = utc / kNsPerDay - kCanopenStart.time_since_epoch().count();
   if (since < 0) return 0;
   return static_cast<std::uint16_t>(
       std::min<std::int64_t>(since, std::numeric_limits<std::uint16_t>::max()));
+}
+
+std::string CanopenDateText(std::uint16_t count) {
+  const sys_days day = kCanopenStart + days(count);
+  return UtcText(day.time_since_epoch().count() * kNsPerDay).substr(0, 10);
 }
 
 }  // namespace zrobench

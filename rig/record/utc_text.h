@@ -13,5 +13,7 @@ std::string UtcText(UtcNs utc);
 std::optional<UtcNs> ParseUtc(std::string_view text);
 /// Days since 1984-01-01 (CiA 301 TIME_OF_DAY), 0 before then.
 std::uint16_t CanopenDays(UtcNs utc);
+/// "2026-01-01" of such days.
+std::string CanopenDateText(std::uint16_t days);
 
 }  // namespace zrobench
