@@ -79,6 +79,10 @@ BoardStatus CanImuBoard::status() const {
   return status;
 }
 
+Status CanImuBoard::Reset() {
+  return bus_.Send(Encode(zro::node::NmtMsg{zro::node::kNmtResetNode, zro::node::Node::kNodeId}));
+}
+
 Status CanImuBoard::SendDate(UtcNs utc) {
   const std::int64_t ms = utc / 1'000'000;
   const std::int64_t days = ms / kMsPerDay - kDaysTo1984;

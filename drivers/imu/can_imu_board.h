@@ -15,7 +15,8 @@ class CanImuBoard final : public ImuBoard {
   BoardStatus status() const override;
   CanHealth link() const override { return bus_.health(); }
 
-  /// kConfig before 1984-01-01 and after 2163-06-05: CiA TIME cannot say it.
+  Status Reset() override;
+  /// kConfig before 1984-01-01 and after 2163-06-06: CiA TIME cannot say it.
   Status SendDate(UtcNs utc) override;
   Status SendHeartbeat() override;
 
