@@ -59,5 +59,5 @@ build() {
   local preset=$1 dir=$root/build/$1
   shift
   if ninja -C "$dir" -n "$@" 2>/dev/null | grep -q 'no work to do'; then return 0; fi
-  run_quietly "building $preset" ninja -C "$dir" "$@"
+  run_quietly "building $preset" ninja --quiet -C "$dir" "$@"
 }

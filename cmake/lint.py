@@ -1,0 +1,93 @@
+#!/usr/bin/python3
+"""lint.py BUILD_DIR: clang-format over all tracked sources, clang-tidy over those the build knows.
+
+A source that passed is not looked at again until it, one of its headers or the rules change.
+"""
+import hashlib
+import json
+import shlex
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+RULES = [ROOT / ".clang-tidy", Path(__file__).resolve()]
+JOBS = 2
+
+
+def output_of(*command):
+    return subprocess.run(command, check=True, capture_output=True, text=True).stdout
+
+
+def format_is_clean(sources):
+    return subprocess.run(["clang-format", "--dry-run", "-Werror", *sources], cwd=ROOT).returncode == 0
+
+
+def headers_by_object(build):
+    """What ninja knows each object to be made of, as far as it is ours."""
+    headers, current = {}, None
+    for line in output_of("ninja", "-C", str(build), "-t", "deps").splitlines():
+        if line.startswith("    "):
+            if line.strip().startswith(str(ROOT)):
+                headers[current].append(Path(line.strip()))
+        elif ": #deps" in line:
+            current = line.split(":")[0]
+            headers[current] = []
+    return headers
+
+
+def object_of(command):
+    words = shlex.split(command["command"])
+    return words[words.index("-o") + 1]
+
+
+def key_of(files, contents={}):
+    """Hash of the files' names and contents."""
+    digest = hashlib.sha256()
+    for file in files:
+        if file not in contents:
+            contents[file] = hashlib.sha256(file.read_bytes()).digest()
+        digest.update(str(file).encode() + contents[file])
+    return digest.hexdigest()
+
+
+def tidy(build, source):
+    """What clang-tidy says, empty when the source is clean."""
+    done = subprocess.run(["clang-tidy", "--quiet", "-p", str(build), str(source)],
+                          capture_output=True, text=True)
+    return done.stdout + done.stderr if done.returncode else ""
+
+
+def main():
+    build = Path(sys.argv[1]).resolve()
+    tracked = output_of("git", "-C", str(ROOT), "ls-files", "*.cc", "*.h").split()
+    ours = {ROOT / name for name in tracked}
+    clean = format_is_clean(tracked)
+
+    headers = headers_by_object(build)
+    passed = build / "lint-passed"
+    passed.mkdir(exist_ok=True)
+    todo = {}
+    for command in json.loads((build / "compile_commands.json").read_text()):
+        source = Path(command["file"])
+        if source not in ours:
+            continue
+        stamp = passed / key_of([*RULES, source, *headers.get(object_of(command), [])])
+        if not stamp.exists():
+            todo[source] = stamp
+    if todo:
+        print(f"lint: clang-tidy over {len(todo)} files", flush=True)
+    with ThreadPoolExecutor(JOBS) as pool:
+        for (source, stamp), said in zip(todo.items(), pool.map(lambda s: tidy(build, s), todo)):
+            if said:
+                clean = False
+                print(said, f"lint: {source} failed", sep="\n", flush=True)
+            else:
+                stamp.touch()
+    print("lint: clean" if clean else "lint: FAILED")
+    return 0 if clean else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
