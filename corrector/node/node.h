@@ -19,6 +19,12 @@ enum class BootReason : std::uint8_t {
   kUnknown, kPowerOn, kPin, kBrownOut, kWatchdog, kSoftware, kLockup, kBootloader
 };
 
+/// Samples between two DUT_TIME (and DUT_CORR): 20 a second, whatever the sample rate.
+inline std::uint16_t TimeDividerFor(float sample_hz) {
+  const float divider = sample_hz / 20.0f + 0.5f;
+  return divider < 1.0f ? 1 : static_cast<std::uint16_t>(divider);
+}
+
 /// One powered-on life of the board. A reset is a new Node over the same storage.
 /// The caller (HAL, virtual board, host replica) feeds it frames, samples and milliseconds.
 ///

@@ -60,7 +60,7 @@ void VirtualBoard::StartNode(zro::node::BootReason reason) {
   counter_ = 0;
   samples_since_boot_ = 0;
   node_.emplace(kIdentity, config_, &flash_, &sink_,
-                static_cast<std::uint16_t>(std::max(1.0, std::round(settings_.sample_hz / 20))));
+                zro::node::TimeDividerFor(config_.sample_hz));
   node_->Boot(reason, ++boot_count_);
 }
 

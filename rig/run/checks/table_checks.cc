@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "corrector/table.h"
 #include "rig/run/checks/checks.h"
 #include "rig/run/judge.h"
 #include "rig/run/reference.h"
