@@ -66,10 +66,13 @@ class Corrector {
     Finding pending;           ///< mismatch being re-read; kNone: none
     std::uint32_t resume_at;   ///< no reading before this sample, while waiting
     std::uint32_t written_at;  ///< last write, to written_bin, while wrote
+    std::uint32_t said_at;     ///< last kRecentNothingToDo, of said_bin, while said
     std::int16_t written_bin;
+    std::int16_t said_bin;
     std::uint8_t refusals;  ///< since the last accepted reading
     bool waiting;
     bool wrote;
+    bool said;
     bool judged;  ///< a reading of it was learned or refused
     bool voted;   ///< it had its say in the quarantine
   };
@@ -123,10 +126,7 @@ class Corrector {
   std::uint32_t sample_ = 0;  ///< index of the present sample since boot
   std::uint32_t commit_at_ = 0;
   std::uint32_t last_commit_ = 0;
-  std::uint32_t said_at_ = 0;  ///< last kRecentNothingToDo
   std::uint16_t date_ = 0;
-  std::int16_t said_bin_ = 0;
-  bool said_ = false;
   bool started_ = false;
   bool has_temp_ = false;
   bool temp_valid_ = false;  ///< the present sample's own temperature is physical

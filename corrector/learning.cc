@@ -8,7 +8,7 @@ constexpr float kSettleS = 0.5f;        // quiet before a window opens: the devi
 constexpr float kBackOffS = 20.0f;      // after the re-reads are used up; grows to three times
 constexpr float kWatchS = 60.0f;        // between readings while the table is complete
 constexpr float kMergeAgainS = 600.0f;  // one still may not corroborate itself faster
-constexpr float kSayAgainS = 60.0f;     // kRecentNothingToDo of the same bin
+constexpr float kSayAgainS = 60.0f;     // kRecentNothingToDo of the same bin and still
 constexpr float kCommitSoonS = 0.5f;    // new knowledge; gathers the writes of one moment
 constexpr float kCommitMergesS = 3600.0f;
 constexpr std::uint8_t kConfirmedWeight = 3;  // readings after which a lone entry is trusted
@@ -196,10 +196,11 @@ void Corrector::Write(const Decision& decision, const Summary& reading) {
 
 void Corrector::SayNothingToDo(const Finding& finding, const Summary& reading) {
   const auto bin = static_cast<std::int16_t>(table_.BinOf(reading.temp_degc));
-  if (said_ && said_bin_ == bin && !Due(said_at_ + Samples(kSayAgainS))) return;
-  said_ = true;
-  said_bin_ = bin;
-  said_at_ = sample_;
+  const bool repeats = period_.said && period_.said_bin == bin;
+  if (repeats && !Due(period_.said_at + Samples(kSayAgainS))) return;
+  period_.said = true;
+  period_.said_bin = bin;
+  period_.said_at = sample_;
   Emit(finding, reading.temp_degc, reading.zro_dps);
 }
 
