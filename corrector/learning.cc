@@ -48,8 +48,9 @@ void Corrector::EndStill() {
     reason = {Code::kTooShort, kNoAxis, static_cast<float>(reading_.gathered()) / config_.sample_hz,
               static_cast<float>(config_.limits.min_samples) / config_.sample_hz};
   }
-  if (!complete_) Emit(reason, temp, measured);
-  if (period_.pending.code != Code::kNone) Vote();
+  const bool contradicted = period_.pending.code != Code::kNone;
+  if (!complete_ || contradicted) Emit(reason, temp, measured);
+  if (contradicted) Vote();
   period_ = {};
   reading_.Stop();
 }
@@ -214,7 +215,9 @@ void Corrector::NoteWrite(float temp_degc, bool promptly) {
   if (promptly) {
     commit_at_ = sample_ + Samples(kCommitSoonS);
   } else if (!commit_due_) {
-    commit_at_ = last_commit_ + Samples(kCommitMergesS);
+    const std::uint32_t since = sample_ - last_commit_;
+    const std::uint32_t hour = Samples(kCommitMergesS);
+    commit_at_ = sample_ + (since < hour ? hour - since : 0);
   }
   commit_due_ = true;
 }

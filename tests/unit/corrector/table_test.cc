@@ -213,7 +213,7 @@ TEST(Table, ExtrapolationDoesNotMagnifyTheNoiseOfADenseTable) {
   }
 }
 
-TEST(Table, CorrectorFitsSmallTargets) { EXPECT_LE(sizeof(Corrector), 2100u); }
+TEST(Table, CorrectorFitsSmallTargets) { EXPECT_LE(sizeof(Corrector), 2048u); }
 
 }  // namespace
 }  // namespace zro
