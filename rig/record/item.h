@@ -76,7 +76,7 @@ struct EventItem {
     kRunStart = 0,   ///< text = profile name, a = number of steps
     kStepBegin = 1,  ///< step = index, text = "ramp to 45 degc"
     kStepEnd = 2,
-    kStimulusBegin = 3,  ///< text = "tone" | "move", a = hz, b = spl_db
+    kStimulusBegin = 3,  ///< text = "tone" | "move hand_held", a = hz, b = spl_db
     kStimulusEnd = 4,
     kPower = 5,  ///< a = 0 off, 1 on
     kSettled = 6,

@@ -72,7 +72,7 @@ class ReplayRun final : public ReplaySink {
     TakeEvents(t_s);
     std::copy_n(output.zro_dps, 3, estimate_dps_);
     if (estimates_.wanted()) {
-      estimates_.Line("{},{},{},{},{},{}", t_s, output.zro_dps[0], output.zro_dps[1],
+      estimates_.Line("{:.10g},{},{},{},{},{}", t_s, output.zro_dps[0], output.zro_dps[1],
                       output.zro_dps[2], int{output.still}, int{output.updated});
     }
     return true;
@@ -132,7 +132,7 @@ class ReplayRun final : public ReplaySink {
 
   void WriteDecision(double t_s, const zro::Event& event, bool wrote) {
     const int entry = wrote ? corrector_->table().Nearest(event.temp_degc) : -1;
-    decisions_.Line("{},{},{},{},{},{},{},{}", t_s, int{static_cast<std::uint8_t>(event.code)},
+    decisions_.Line("{:.10g},{},{},{},{},{},{},{}", t_s, int{static_cast<std::uint8_t>(event.code)},
                     event.temp_degc, event.measured_dps[0], event.measured_dps[1],
                     event.measured_dps[2], int{wrote}, entry < 0 ? "" : std::to_string(entry));
   }

@@ -32,7 +32,7 @@ struct ReplaySummary {
   zro::Config config;              ///< as used: sample rate and noise density are the data's own
   bool noise_from_data = false;    ///< else the default density
   std::map<zro::Code, std::uint64_t> decisions;
-  zro::Table final_table;
+  zro::Table final_table{};
   ErrorTable errors;
 };
 

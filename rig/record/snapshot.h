@@ -65,7 +65,7 @@ struct RunSnapshot {
   std::array<double, 3> correction_dps{};
   bool still = false, learning = false, vibration = false;
   std::uint32_t boots = 0;  ///< boot-up messages
-  zro::Table table;
+  zro::Table table{};
   std::uint32_t table_generation = 0, table_crc32 = 0;
   bool table_seen = false;
   std::deque<RejectionNote> rejections;  ///< the last kKeptRejections, live
