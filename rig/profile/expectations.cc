@@ -37,7 +37,7 @@ const std::vector<Check>& Checks() {
       {"rejects",
        {{"codes", kCodes, false, 1, 16, {}},
         {"code", kCount, false, 1, 16, {}},
-        {"during", kText, false, 0, 0, {"tone", "move"}},
+        {"during", kText, false, 0, 0, {"tone", "move", "tap", "rotate", "vibrate", "hand_held"}},
         {"at_least", kCount, false, 1, 1e6, {}}}},
       {"no_corrupt_entry", {within}},
       {"table_persists", {}},

@@ -16,7 +16,11 @@ namespace zrobench {
 
 struct Interval {
   std::uint64_t first_us = 0, last_us = 0;
-  std::string kind;  ///< "tone", "move", "off"
+  std::string kind;  ///< "tone", "move hand_held", "off"
+  /// Whether a profile's word for it ("tone", "move", "hand_held") means this one.
+  bool Is(const std::string& word) const {
+    return kind == word || kind.starts_with(word + ' ') || kind.ends_with(' ' + word);
+  }
   bool Overlaps(std::uint64_t from_us, std::uint64_t to_us) const {
     return from_us < last_us && to_us > first_us;
   }

@@ -18,7 +18,8 @@ std::string Describe(const Measurement& m) {
                                        : fmt::format("limit {:.4g}", m.low));
   const std::string uncertainty =
       m.uncertainty_k2 > 0 ? fmt::format(" +- {:.2g} (k=2)", m.uncertainty_k2) : "";
-  return fmt::format("{} = {:.4g}{} {}, {}", m.name, m.value, uncertainty, m.unit, limit);
+  const std::string unit = m.unit == "1" ? "" : " " + m.unit;
+  return fmt::format("{} = {:.4g}{}{}, {}", m.name, m.value, uncertainty, unit, limit);
 }
 
 /// How far outside (positive) or inside (negative) its limits a value is.

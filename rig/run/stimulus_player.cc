@@ -18,7 +18,7 @@ EventItem Describe(const Stimulus& stimulus, EventItem::Kind kind) {
     event.a = tone->hz;
     event.b = tone->spl_db;
   } else {
-    event.text = "move";
+    event.text = "move " + std::get<Move>(stimulus.what).how;
   }
   return event;
 }

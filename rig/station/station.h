@@ -24,7 +24,7 @@ struct VirtualSettings {
   UtcNs epoch = 1'767'225'600'000'000'000;  ///< 2026-01-01T00:00:00Z
   double sample_hz = 200;
   double gyro_range_dps = 250;  ///< 125 * 2^c
-  double kp_pct_per_k = 20, ki_pct_per_k_s = 0.2;
+  double kp_pct_per_k = 40, ki_pct_per_k_s = 0.8;
   double rate_limit_degc_per_min = 0;               ///< of the plate's own controller; 0 = none
   std::vector<double> factory_degc = {10, 25, 40};  ///< temperatures of the factory's entries
   double factory_error_dps = 0.005;                 ///< rms error of those entries

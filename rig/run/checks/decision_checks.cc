@@ -57,7 +57,7 @@ CheckResult CheckRejects(const Expectation& expect, const CheckContext& context)
   };
   bool provoked = false;
   for (const Interval& stimulus : context.evidence.stimuli) {
-    if (stimulus.kind != during) continue;
+    if (!stimulus.Is(during)) continue;
     provoked = true;
     const auto count = std::count_if(
         context.evidence.decisions.begin(), context.evidence.decisions.end(), [&](const auto& d) {

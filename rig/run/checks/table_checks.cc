@@ -25,6 +25,16 @@ std::optional<zro::Table> FinalTable(const Evidence& evidence) {
   return table;
 }
 
+bool HoldsLearned(const zro::Table& table, double degc, double within_degc) {
+  for (int i = 0; i < table.size(); ++i) {
+    if (table[i].origin == zro::Origin::kLearned &&
+        std::abs(table[i].temp_degc - degc) <= within_degc) {
+      return true;
+    }
+  }
+  return false;
+}
+
 CheckResult Start(const Expectation& expect, std::string about) {
   CheckResult result;
   result.check = expect.check;
@@ -47,11 +57,7 @@ CheckResult CheckTableCoverage(const Expectation& expect, const CheckContext& co
   int bins = 0, held = 0;
   for (double centre = from; centre <= to + 1e-9; centre += step) {
     ++bins;
-    const int nearest = table->Nearest(static_cast<float>(centre));
-    if (nearest >= 0 && std::abs((*table)[nearest].temp_degc - centre) <= step / 2 &&
-        (*table)[nearest].origin == zro::Origin::kLearned) {
-      ++held;
-    }
+    held += HoldsLearned(*table, centre, step / 2) ? 1 : 0;
   }
   result.measurements.push_back({.name = "table_coverage",
                                  .value = 100.0 * held / bins,
@@ -99,17 +105,23 @@ CheckResult CheckTableAccuracy(const Expectation& expect, const CheckContext& co
 
 namespace {
 
-/// Entries of `before` that `after` lacks or holds with other offsets (beyond one merge).
+/// Whether two entries are the same, but for merges that were not committed yet.
+bool SameButForMerges(const zro::Entry& a, const zro::Entry& b) {
+  constexpr float kMerged_degc = 1.25f;  ///< half a bin: an entry stays in its own
+  constexpr float kMerged_dps = 0.02f;
+  bool same = a.origin == b.origin && std::abs(a.temp_degc - b.temp_degc) < kMerged_degc;
+  for (int axis = 0; axis < zro::kAxes; ++axis) {
+    same = same && std::abs(a.zro_dps[axis] - b.zro_dps[axis]) <= kMerged_dps;
+  }
+  return same;
+}
+
+/// Entries of `before` that `after` lacks or holds with other offsets.
 int EntriesLost(const zro::Table& before, const zro::Table& after) {
-  constexpr float kOneMerge_dps = 0.02f;  ///< what merges since the last commit may move an entry
   int lost = 0;
   for (int i = 0; i < before.size(); ++i) {
-    const int j = after.Nearest(before[i].temp_degc);
-    bool kept = j >= 0 && std::abs(after[j].temp_degc - before[i].temp_degc) < 1.25f &&
-                after[j].origin == before[i].origin;
-    for (int axis = 0; kept && axis < zro::kAxes; ++axis) {
-      kept = std::abs(after[j].zro_dps[axis] - before[i].zro_dps[axis]) <= kOneMerge_dps;
-    }
+    bool kept = false;
+    for (int j = 0; j < after.size(); ++j) kept = kept || SameButForMerges(before[i], after[j]);
     lost += kept ? 0 : 1;
   }
   return lost;

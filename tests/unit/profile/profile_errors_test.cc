@@ -156,7 +156,7 @@ TEST(ProfileErrors, ExpectationsAreCheckedAgainstTheCatalogue) {
   EXPECT_THAT(expect("rejects = { codes = [1, 2.5] }"), ElementsAre(HasSubstr("whole numbers")));
   EXPECT_THAT(expect("rejects = { code = 1, codes = [1] }"),
               ElementsAre(HasSubstr("either code or codes")));
-  EXPECT_THAT(expect("rejects = { during = \"music\" }"), ElementsAre(HasSubstr("tone, move")));
+  EXPECT_THAT(expect("rejects = { during = \"music\" }"), ElementsAre(HasSubstr("tone, move, tap")));
   EXPECT_THAT(expect("rejects = { at_least = 0.5 }"), ElementsAre(HasSubstr("at_least = 0.5")));
   EXPECT_THAT(expect("residual_rate = { within_dps = 1 }"),
               ElementsAre(HasSubstr("'within_mdps' is missing"), HasSubstr("'within_mdps'")));
