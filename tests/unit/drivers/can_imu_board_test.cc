@@ -228,14 +228,6 @@ TEST_F(CanImuBoardTest, ListenerSeesEveryFrameInBusOrder) {
   EXPECT_EQ(tap_.frames.size(), world_.bus.health().received + world_.bus.health().sent);
 }
 
-TEST(CanImuBoard, BusOffIsClosed) {
-  VirtualClock clock(0);
-  ScriptedBus bus;
-  CanImuBoard board(bus, clock, nullptr);
-  bus.state.bus_off = true;
-  EXPECT_EQ(board.Pump().error().kind, Error::Kind::kClosed);
-}
-
 TEST(LogRecord, ParsesWhatTheBoardPacksAndChecksIt) {
   zro::Event e{};
   e.seq = 77;

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/unit/drivers/node_world.h"
+#include "tests/unit/drivers/scripted_bus.h"
 
 namespace zrobench {
 namespace {
