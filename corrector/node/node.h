@@ -16,7 +16,14 @@
 namespace zro::node {
 
 enum class BootReason : std::uint8_t {
-  kUnknown, kPowerOn, kPin, kBrownOut, kWatchdog, kSoftware, kLockup, kBootloader
+  kUnknown,
+  kPowerOn,
+  kPin,
+  kBrownOut,
+  kWatchdog,
+  kSoftware,
+  kLockup,
+  kBootloader
 };
 
 /// Samples between two DUT_TIME (and DUT_CORR): 20 a second, whatever the sample rate.
@@ -29,9 +36,9 @@ inline std::uint16_t TimeDividerFor(float sample_hz) {
 /// The caller (HAL, virtual board, host replica) feeds it frames, samples and milliseconds.
 ///
 /// What the corrector does depends on Boot(), OnSample(), and the frames TIME_STAMP, NMT, rig
-/// heartbeat and SDO writes alone, in their order; never on OnTime(). So whoever feeds a second node
-/// the same frames and the samples of the bus gets the same outputs, bit for bit. Unlike the rest,
-/// raw.temperature need only be right where a DUT_TIME is due.
+/// heartbeat and SDO writes alone, in their order; never on OnTime(). So whoever feeds a second
+/// node the same frames and the samples of the bus gets the same outputs, bit for bit. Unlike the
+/// rest, raw.temperature need only be right where a DUT_TIME is due.
 class Node {
  public:
   static constexpr std::uint8_t kNodeId = 0x10;
@@ -51,9 +58,10 @@ class Node {
   void OnFrame(const Frame& frame);
 
   /// One sensor instant. Sends, in this order: [DUT_TIME], DUT_RAW, DUT_ACC, DUT_RATE, [DUT_CORR],
-  /// then EMCY for rejections. raw.temperature is used (and sent) only when a DUT_TIME is due (first
-  /// sample after a boot or NMT start, then every time_divider-th): the corrector sees exactly what
-  /// the bus shows. Not operational, the sample is dropped, and the next one shows a gap.
+  /// then EMCY for rejections. raw.temperature is used (and sent) only when a DUT_TIME is due
+  /// (first sample after a boot or NMT start, then every time_divider-th): the corrector sees
+  /// exactly what the bus shows. Not operational, the sample is dropped, and the next one shows a
+  /// gap.
   void OnSample(const RawSample& raw);
 
   /// Device time since boot; drives heartbeat (500 ms), status (1 s), identity (10 s) and
@@ -104,11 +112,11 @@ class Node {
   BootReason boot_reason_ = BootReason::kUnknown;
   std::uint16_t boot_count_ = 0;
 
-  bool first_sample_ = true;          // since boot
-  std::uint16_t until_time_ = 0;      // samples before the next DUT_TIME
+  bool first_sample_ = true;      // since boot
+  std::uint16_t until_time_ = 0;  // samples before the next DUT_TIME
   std::uint16_t last_counter_ = 0;
-  std::uint32_t periods_ = 0;         // nominal sample periods since the first sample
-  std::int16_t temperature_ = 0;      // as last sent
+  std::uint32_t periods_ = 0;     // nominal sample periods since the first sample
+  std::int16_t temperature_ = 0;  // as last sent
   Output output_{};
 
   std::uint32_t rejections_ = 0;

@@ -8,11 +8,11 @@
 namespace zro::node {
 
 struct RawSample {
-  std::int16_t gyro[kAxes];        ///< LSB = 125 * 2^range_code / 32768 dps
-  std::int16_t accel[kAxes];       ///< LSB = 0.000125 g
-  std::int16_t temperature;        ///< LSB = 1/256 degC; the last one sent (DUT_TIME)
-  std::uint16_t counter;           ///< 16-bit sample counter
-  std::uint8_t range_code;         ///< 0..5
+  std::int16_t gyro[kAxes];   ///< LSB = 125 * 2^range_code / 32768 dps
+  std::int16_t accel[kAxes];  ///< LSB = 0.000125 g
+  std::int16_t temperature;   ///< LSB = 1/256 degC; the last one sent (DUT_TIME)
+  std::uint16_t counter;      ///< 16-bit sample counter
+  std::uint8_t range_code;    ///< 0..5
   bool overrun;
   bool accel_clipped;
 };
