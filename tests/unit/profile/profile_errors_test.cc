@@ -128,6 +128,15 @@ TEST(ProfileErrors, AStimulusMustBeAbleToStart) {
       ElementsAre(HasSubstr("only a soak or a ramp passes a temperature")));
 }
 
+TEST(ProfileErrors, AHalfReadStepBreedsNoFollowOnErrors) {
+  EXPECT_THAT(ErrorsOf("[[step]]\nsoak = { to_degc = 20, hold_s = 1 }\n"
+                       "[[step]]\nramp = { to_degc = \"40\", rate_degc_per_min = 5 }\n"
+                       "with = [ { move = { how = \"tap\", for_s = 1 }, at_degc = 30 } ]\n"
+                       "[[step]]\nramp = { to_degc = 35, rate_degc_per_min = 5 }\n"
+                       "with = [ { move = { how = \"tap\", for_s = 1 }, at_degc = 38 } ]\n"),
+              ElementsAre("6:20: error: to_degc must be a number, not a text"));
+}
+
 TEST(ProfileErrors, NeedsBindStationAndSteps) {
   Station bare = Bench();
   bare.speaker.clear();
@@ -156,7 +165,8 @@ TEST(ProfileErrors, ExpectationsAreCheckedAgainstTheCatalogue) {
   EXPECT_THAT(expect("rejects = { codes = [1, 2.5] }"), ElementsAre(HasSubstr("whole numbers")));
   EXPECT_THAT(expect("rejects = { code = 1, codes = [1] }"),
               ElementsAre(HasSubstr("either code or codes")));
-  EXPECT_THAT(expect("rejects = { during = \"music\" }"), ElementsAre(HasSubstr("tone, move, tap")));
+  EXPECT_THAT(expect("rejects = { during = \"music\" }"),
+              ElementsAre(HasSubstr("tone, move, tap")));
   EXPECT_THAT(expect("rejects = { at_least = 0.5 }"), ElementsAre(HasSubstr("at_least = 0.5")));
   EXPECT_THAT(expect("residual_rate = { within_dps = 1 }"),
               ElementsAre(HasSubstr("'within_mdps' is missing"), HasSubstr("'within_mdps'")));
