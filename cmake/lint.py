@@ -54,8 +54,9 @@ def key_of(files, contents={}):
 
 def tidy(build, source):
     """What clang-tidy says, empty when the source is clean."""
-    done = subprocess.run(["clang-tidy", "--quiet", "-p", str(build), str(source)],
-                          capture_output=True, text=True)
+    # The build's own compiler gives the warnings; clang's differ, and are not errors here.
+    done = subprocess.run(["clang-tidy", "--quiet", "--extra-arg=-Wno-error", "-p", str(build),
+                           str(source)], capture_output=True, text=True)
     return done.stdout + done.stderr if done.returncode else ""
 
 
