@@ -11,12 +11,25 @@
 
 namespace zrobench {
 
-struct Soak { double to_degc = 0, hold_s = 0, settled_degc = 0.3; };
-struct Ramp { double to_degc = 0, rate_degc_per_min = 0; };
-struct Hold { double for_s = 0; };
-struct Tone { double hz = 0, v = 0, spl_db = 0, for_s = 0; };  ///< v rms; spl_db from it (or given)
-struct Move { std::string how; double for_s = 0; };  ///< "tap", "rotate", "vibrate", "hand_held"
-struct PowerCycle { double off_s = 0; };
+struct Soak {
+  double to_degc = 0, hold_s = 0, settled_degc = 0.3;
+};
+struct Ramp {
+  double to_degc = 0, rate_degc_per_min = 0;
+};
+struct Hold {
+  double for_s = 0;
+};
+struct Tone {
+  double hz = 0, v = 0, spl_db = 0, for_s = 0;
+};  ///< v rms; spl_db from it (or given)
+struct Move {
+  std::string how;
+  double for_s = 0;
+};  ///< "tap", "rotate", "vibrate", "hand_held"
+struct PowerCycle {
+  double off_s = 0;
+};
 using Action = std::variant<Soak, Ramp, Hold, Tone, Move, PowerCycle>;
 
 /// A tone or a move during a step; starts at a time in the step or when the board passes a
