@@ -188,6 +188,31 @@ TEST_F(Abuse, SameInputsSameOutputs) {
   EXPECT_EQ(first, second);
 }
 
+TEST_F(Abuse, GarbageNeverMakesTheOffsetNonFinite) {
+  const float garbage[] = {0.0f,
+                           1.0f,
+                           -1e30f,
+                           1e30f,
+                           2000.0f,
+                           25.0f,
+                           std::numeric_limits<float>::infinity(),
+                           std::numeric_limits<float>::quiet_NaN(),
+                           std::numeric_limits<float>::denorm_min()};
+  std::mt19937 rng(9);
+  const auto pick = [&] { return garbage[rng() % std::size(garbage)]; };
+  Spoil(120.0, [&](int i, Sample* s) {
+    if (i % 1500 > 200) return;  // bursts, with time to become still between them
+    for (int axis = 0; axis < 3; ++axis) s->rate_dps[axis] = pick(), s->accel_g[axis] = pick();
+    s->temp_degc = pick();
+    s->elapsed =
+        rng() % 50 == 0 ? static_cast<std::uint32_t>(rng()) : static_cast<std::uint32_t>(rng() % 3);
+    s->overrun = rng() % 2 == 0;
+  });
+  for (const float zro : last_.zro_dps) EXPECT_LT(std::abs(zro), 12.0f);
+  EXPECT_EQ(bench_.Count(Code::kQuarantined), 0);
+  ExpectRecovery();
+}
+
 TEST_F(Abuse, LostEventsAreCounted) {
   RecordProperty("capacity", EventQueue::kCapacity);
   EventQueue queue;

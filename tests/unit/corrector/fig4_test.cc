@@ -143,11 +143,23 @@ TEST(Patent, Fig4Block46_StopsWhenTheTableIsCompleteAndFresh) {
   Learn(bench, {26.0});
   EXPECT_TRUE(bench.corrector().complete());
   EXPECT_EQ(bench.Count(Code::kTableComplete), 1);
-  const int writes = bench.Writes();
+  bench.Shake(1.0);
+  bench.events.clear();
   Learn(bench, {21.5, 29.0, 24.0});
   bench.Rest(600.0, 24.0);
-  EXPECT_EQ(bench.Writes(), writes);
+  EXPECT_TRUE(bench.events.empty());  // nothing written, nothing refused, nothing to say
   EXPECT_EQ(bench.table().size(), 3);
+}
+
+TEST(Fig4, CompleteTableStillNoticesAShift) {
+  Bench bench(Covering(20.0f, 25.0f));
+  bench.corrector().SetDate(kToday);
+  Learn(bench, {21.0, 23.5});
+  bench.events.clear();
+  bench.Rest(8.0, 22.0, {0.5, 0.0, 0.0});
+  bench.Shake(1.0, 22.0);
+  EXPECT_THAT(bench.Codes(),
+              ElementsAre(Code::kRetry, Code::kDiffersFromEntry, Code::kQuarantined));
 }
 
 TEST(Patent, Fig4Block46_ReArmsByAgeAndByGap) {
@@ -177,6 +189,7 @@ TEST(Fig4, HoursOfStillnessNeitherSpamNorPileUp) {
   EXPECT_EQ(bench.Count(Code::kNew), 1);
   EXPECT_LE(bench.Count(Code::kRecentNothingToDo), 181);
   EXPECT_GE(bench.Count(Code::kRecentNothingToDo), 100);
+  EXPECT_GE(bench.Count(Code::kMerged), 2);
   EXPECT_LE(bench.Count(Code::kMerged), 18);
   EXPECT_LT(bench.ErrorAt(23.0), 0.005);
 }
