@@ -1,5 +1,6 @@
 #include "rig/record/replay.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <random>
@@ -137,6 +138,26 @@ TEST_F(ReplayTest, WritesEstimatesDecisionsAndTable) {
   ASSERT_EQ(t.size(), static_cast<std::size_t>(summary.final_table.size()) + 1);
   EXPECT_EQ(t[1][4], "2026-01-01");
   EXPECT_EQ(t[1][8], "learned");
+}
+
+TEST_F(ReplayTest, ErrorsAreThoseOfTheSampleBeforeTheReadingEntered) {
+  ReplayOptions options;
+  options.estimates = Path("e.csv");
+  options.decisions = Path("d.csv");
+  const auto summary = Run(Bench().Rest(0, 200).csv.str(), options);
+  const auto e = Table(Path("e.csv")), d = Table(Path("d.csv"));
+  double squares = 0;
+  int readings = 0;
+  for (std::size_t i = 1; i < d.size(); ++i) {
+    if (d[i][6] != "1" || ++readings == 1) continue;
+    const auto at =
+        std::find_if(e.begin() + 1, e.end(), [&](const auto& row) { return row[0] == d[i][0]; });
+    ASSERT_NE(at, e.end());
+    squares += std::pow(1e3 * (std::stod(d[i][3]) - std::stod((*(at - 1))[1])), 2);
+  }
+  ASSERT_GE(readings, 3);
+  EXPECT_EQ(summary.errors.readings(), static_cast<std::uint64_t>(readings));
+  EXPECT_NEAR(summary.errors.corrector_rms_mdps(0), std::sqrt(squares / (readings - 1)), 1e-3);
 }
 
 TEST_F(ReplayTest, FactoryEntriesAreThereFromTheFirstSample) {
