@@ -13,6 +13,6 @@ namespace zrobench {
 }  // namespace zrobench
 
 /// Throws std::logic_error when a caller inside the program broke a promise.
-#define ZROBENCH_CHECK(condition) \
+#define ZROBENCH_CHECK(condition)     \
   ((condition) ? static_cast<void>(0) \
                : ::zrobench::ThrowContractBroken(#condition, __FILE__, __LINE__))

@@ -23,7 +23,7 @@ struct TableSnapshot {
   std::vector<std::uint8_t> image;  ///< canonical image (corrector/table.h)
   std::uint32_t crc32 = 0;          ///< as the board states it; verified against `image`
   std::uint32_t generation = 0;
-  zro::Table table;                 ///< the image, parsed
+  zro::Table table;  ///< the image, parsed
 };
 
 /// One 24-byte record of the board's decision log (object 0x2201), parsed and CRC-checked.
@@ -43,10 +43,10 @@ struct LogRecord {
 Result<LogRecord> ParseLogRecord(std::span<const std::uint8_t, 24> bytes);
 
 struct BoardStatus {
-  bool alive = false;            ///< a heartbeat or data within the last 1.5 s
+  bool alive = false;  ///< a heartbeat or data within the last 1.5 s
   std::uint16_t boot_count = 0;
-  std::uint32_t boots_seen = 0;  ///< boot-up messages since this object was made
-  std::uint64_t samples = 0;     ///< DUT_RAW frames received
+  std::uint32_t boots_seen = 0;     ///< boot-up messages since this object was made
+  std::uint64_t samples = 0;        ///< DUT_RAW frames received
   std::uint64_t sequence_gaps = 0;  ///< samples missing between consecutive DUT_RAW
   std::uint64_t emcy = 0;
 };

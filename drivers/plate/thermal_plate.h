@@ -5,7 +5,7 @@
 namespace zrobench {
 
 /// A thermal plate that can be told a temperature and asked for one.
-/// Implemented by VirtualPlate (rig/virtual); contract test: tests/contract/plate_contract.h.
+/// Implemented by VirtualPlate (rig/virtual); contract test: tests/contract.
 /// Thread-compatible. Every call returns by `deadline`.
 class ThermalPlate {
  public:

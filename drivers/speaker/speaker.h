@@ -5,7 +5,8 @@
 namespace zrobench {
 
 /// A signal generator with amplifier and transducer.
-/// Implemented by VirtualSpeaker (rig/virtual). Thread-compatible; calls return by `deadline`.
+/// Implemented by VirtualSpeaker (rig/virtual); contract test: tests/contract. Thread-compatible;
+/// calls return by `deadline`.
 class Speaker {
  public:
   struct State {

@@ -23,7 +23,8 @@ int Check(const CheckOptions& options) {
     if (!station) break;
     const auto profile = LoadProfile(path, *station);
     const std::string message = profile ? "" : profile.error().message;
-    report["profiles"].push_back({{"path", path}, {"valid", profile.has_value()}, {"errors", message}});
+    report["profiles"].push_back(
+        {{"path", path}, {"valid", profile.has_value()}, {"errors", message}});
     if (!message.empty()) errors += (errors.empty() ? "" : "\n") + message;
     if (profile && !options.json) {
       fmt::print("{}: valid, {} steps, {} checks, about {:.0f} min of bench time\n", path,

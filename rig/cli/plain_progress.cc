@@ -43,21 +43,32 @@ void PlainProgress::OnEvent(const EventItem& event, const RunSnapshot& snapshot)
       Line(event.at_us, fmt::format("step  {}/{} {}  {}", event.step + 1, snapshot.step_count,
                                     event.text, Eta(event.at_us)));
       break;
-    case Kind::kSettled: Line(event.at_us, fmt::format("soak  settled at {:g} degC", event.a)); break;
-    case Kind::kStimulusBegin:
-      Line(event.at_us, event.a > 0
-                            ? fmt::format("{}  {:g} Hz, {:.0f} dB SPL, board at {:.1f} degC",
-                                          event.text, event.a, event.b, snapshot.imu_degc)
-                            : fmt::format("{}  board at {:.1f} degC", event.text, snapshot.imu_degc));
+    case Kind::kSettled:
+      Line(event.at_us, fmt::format("soak  settled at {:g} degC", event.a));
       break;
-    case Kind::kStimulusEnd: Line(event.at_us, event.text + "  over"); break;
+    case Kind::kStimulusBegin:
+      Line(event.at_us,
+           event.a > 0 ? fmt::format("{}  {:g} Hz, {:.0f} dB SPL, board at {:.1f} degC", event.text,
+                                     event.a, event.b, snapshot.imu_degc)
+                       : fmt::format("{}  board at {:.1f} degC", event.text, snapshot.imu_degc));
+      break;
+    case Kind::kStimulusEnd:
+      Line(event.at_us, event.text + "  over");
+      break;
     case Kind::kPower:
       Line(event.at_us, event.a > 0 ? "power on" : "power off");
       break;
-    case Kind::kAlarm: Line(event.at_us, "ALARM " + event.text); break;
-    case Kind::kNote: Line(event.at_us, "note  " + event.text); break;
-    case Kind::kRunEnd: Line(event.at_us, "end   " + event.text); break;
-    case Kind::kStepEnd: break;
+    case Kind::kAlarm:
+      Line(event.at_us, "ALARM " + event.text);
+      break;
+    case Kind::kNote:
+      Line(event.at_us, "note  " + event.text);
+      break;
+    case Kind::kRunEnd:
+      Line(event.at_us, "end   " + event.text);
+      break;
+    case Kind::kStepEnd:
+      break;
   }
 }
 
@@ -66,10 +77,10 @@ void PlainProgress::OnRejections(const RunSnapshot& snapshot) {
   if (total == rejections_shown_ || snapshot.rejections.empty()) return;
   rejections_shown_ = total;
   const RejectionNote& last = snapshot.rejections.back();
-  Line(last.at_us, fmt::format("refused {} at {:.1f} degC, {} ({:+.3f} dps on {})",
-                               CodeName(last.code), last.imu_degc,
-                               last.expected ? "expected" : "UNEXPECTED", last.measured_dps,
-                               last.axis < 3 ? std::string(1, "xyz"[last.axis]) : "no axis"));
+  Line(last.at_us,
+       fmt::format("refused {} at {:.1f} degC, {} ({:+.3f} dps on {})", CodeName(last.code),
+                   last.imu_degc, last.expected ? "expected" : "UNEXPECTED", last.measured_dps,
+                   last.axis < 3 ? std::string(1, "xyz"[last.axis]) : "no axis"));
 }
 
 void PlainProgress::Heartbeat(const RunSnapshot& snapshot) {

@@ -12,7 +12,8 @@ namespace zrobench {
 int RunCommandLine(int argc, char** argv) {
   CLI::App app{
       "Example: zrobench run\n\n"
-      "Drives a thermal plate, a speaker and an IMU board through a profile and judges the board's\n"
+      "Drives a thermal plate, a speaker and an IMU board through a profile and judges the "
+      "board's\n"
       "gyro zero-rate-offset corrector. Without a station: a full virtual rig."};
   app.set_version_flag("--version", ZROBENCH_VERSION);
   app.require_subcommand(1);

@@ -21,15 +21,15 @@ std::optional<std::filesystem::path> PathOf(const std::string& text) {
 }
 
 nlohmann::ordered_json ToJson(const ReplaySummary& summary) {
-  nlohmann::ordered_json json = {{"schema", 1},
-                                 {"samples", summary.samples},
-                                 {"duration_s", summary.duration_s},
-                                 {"gaps", summary.gaps},
-                                 {"skipped_rows", summary.skipped_rows},
-                                 {"sample_hz", summary.config.sample_hz},
-                                 {"noise_density_dps_per_rthz",
-                                  summary.config.gyro_noise_density_dps_per_rthz},
-                                 {"readings", summary.errors.readings()}};
+  nlohmann::ordered_json json = {
+      {"schema", 1},
+      {"samples", summary.samples},
+      {"duration_s", summary.duration_s},
+      {"gaps", summary.gaps},
+      {"skipped_rows", summary.skipped_rows},
+      {"sample_hz", summary.config.sample_hz},
+      {"noise_density_dps_per_rthz", summary.config.gyro_noise_density_dps_per_rthz},
+      {"readings", summary.errors.readings()}};
   for (const auto& [code, count] : summary.decisions) {
     json["decisions"][std::string(CodeName(code))] = count;
   }
@@ -107,7 +107,8 @@ void AddReplayVerb(CLI::App& app, int& exit_code) {
   CLI::App* verb = app.add_subcommand(
       "replay",
       "Example: zrobench replay cold.csv --map profiles/imports/freeimu_mpu6050.toml\n\n"
-      "Runs the corrector over recorded raw samples: what would it have learned, and how wrong was\n"
+      "Runs the corrector over recorded raw samples: what would it have learned, and how wrong "
+      "was\n"
       "each estimate just before it learned better?");
   verb->add_option("recording", a->recording, "run folder, ULog or CSV")->required();
   verb->add_option("--map", a->map, "import map of a foreign CSV (TOML)");

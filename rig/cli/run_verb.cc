@@ -45,21 +45,22 @@ int Run(const RunOptions& options) {
   const auto profile = LoadProfile(options.profile, *station);
   if (!profile) return Invalid(profile.error());
   if (!station->all_virtual()) {
-    return Invalid({Error::Kind::kConfig,
-                    options.station + ": this version drives the virtual rig only; every "
-                                      "instrument must be \"virtual:\""});
+    return Invalid({Error::Kind::kConfig, options.station +
+                                              ": this version drives the virtual rig only; every "
+                                              "instrument must be \"virtual:\""});
   }
   VirtualClock clock(station->virtual_rig.epoch);
   auto rig = VirtualRig::Make(*station, options.seed, clock);
   if (!rig) return Invalid(rig.error());
-  Instruments instruments{clock,           (*rig)->plate(),       (*rig)->speaker(),  (*rig)->bus(),
-                          &(*rig)->power(), &(*rig)->environment(), &(*rig)->hand()};
+  Instruments instruments{clock,          (*rig)->plate(),  (*rig)->speaker(),
+                          (*rig)->bus(),  &(*rig)->power(), &(*rig)->environment(),
+                          &(*rig)->hand()};
   PlainProgress progress(station->virtual_rig.epoch,
                          NominalDurationS(*profile, station->model.ambient_degc));
   const bool quiet = options.json || options.ui == "none";
-  const auto outcome = ExecuteRun({*profile, *station, options.seed, options.runs, CatchSignals(),
-                                   quiet ? nullptr : &progress},
-                                  instruments);
+  const auto outcome = ExecuteRun(
+      {*profile, *station, options.seed, options.runs, CatchSignals(), quiet ? nullptr : &progress},
+      instruments);
   if (!outcome) {
     fmt::print(stderr, "{}\n", outcome.error().message);
     return kExitRigError;
@@ -83,7 +84,8 @@ void AddRunVerb(CLI::App& app, int& exit_code) {
       "Drives the bench through a profile, records it, judges the corrector, writes the report.");
   verb->add_option("profile", options->profile, "profile file (TOML)")->capture_default_str();
   verb->add_option("--station", options->station, "station file (TOML)")->capture_default_str();
-  verb->add_option("--seed", options->seed, "seed of the virtual rig's noise")->capture_default_str();
+  verb->add_option("--seed", options->seed, "seed of the virtual rig's noise")
+      ->capture_default_str();
   verb->add_option("--runs", options->runs, "folder for run folders")->capture_default_str();
   verb->add_option("--ui", options->ui, "progress: auto (plain lines), plain, none")
       ->check(CLI::IsMember({"auto", "plain", "none"}))

@@ -53,7 +53,8 @@ std::string Unit(const Measurement& m) { return m.unit == "1" ? "" : " " + m.uni
 /// How near to (negative) or beyond its nearer limit, as a share of the limit's size.
 double Closeness(const Measurement& m) {
   const double span = std::isfinite(m.low) && std::isfinite(m.high) ? (m.high - m.low) / 2
-                      : std::isfinite(m.high) ? std::abs(m.high) : std::abs(m.low);
+                      : std::isfinite(m.high)                       ? std::abs(m.high)
+                                                                    : std::abs(m.low);
   return std::max(m.value - m.high, m.low - m.value) / std::max(span, 1e-9);
 }
 
@@ -68,8 +69,8 @@ std::string Figure(const CheckResult& check) {
 }
 
 std::string CheckLines(const CheckResult& check) {
-  std::string out = fmt::format("  {:<13} {:<17} {}\n", VerdictName(check.verdict), check.check,
-                                Figure(check));
+  std::string out =
+      fmt::format("  {:<13} {:<17} {}\n", VerdictName(check.verdict), check.check, Figure(check));
   if (!check.about.empty()) out += Wrapped(check.about, kIndent);
   if (!check.reason.empty()) out += Wrapped("why: " + check.reason, kIndent);
   return out;

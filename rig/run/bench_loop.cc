@@ -76,10 +76,10 @@ Flow BenchLoop::Watch() {
   if (!std::isfinite(plate_.process_degc) ||
       plate_.process_degc > station_.limits.max_degc + kTripMargin_degc ||
       plate_.process_degc < station_.limits.min_degc - kTripMargin_degc) {
-    return Stop(Halt::Why::kSafetyTrip,
-                fmt::format("plate reads {:.1f} degC, limits are {} .. {} degC",
-                            plate_.process_degc, station_.limits.min_degc,
-                            station_.limits.max_degc));
+    return Stop(
+        Halt::Why::kSafetyTrip,
+        fmt::format("plate reads {:.1f} degC, limits are {} .. {} degC", plate_.process_degc,
+                    station_.limits.min_degc, station_.limits.max_degc));
   }
   if (bench_.board.status().alive || silence_expected_) last_alive_ = now();
   if (now() - last_alive_ > kSilenceLimit) {
@@ -109,10 +109,9 @@ Flow BenchLoop::StartRamp(double to_degc, double rate_degc_per_min) {
 
 Flow BenchLoop::FollowRamp() {
   if (!ramp_) return {};
-  const double wanted =
-      ramp_->from_degc + ramp_->rate_degc_per_s * ToSeconds(now() - ramp_->start);
-  const bool there = ramp_->rate_degc_per_s > 0 ? wanted >= ramp_->to_degc
-                                                : wanted <= ramp_->to_degc;
+  const double wanted = ramp_->from_degc + ramp_->rate_degc_per_s * ToSeconds(now() - ramp_->start);
+  const bool there =
+      ramp_->rate_degc_per_s > 0 ? wanted >= ramp_->to_degc : wanted <= ramp_->to_degc;
   const double target = there ? ramp_->to_degc : wanted;
   if (there) ramp_.reset();
   return SetTarget(target);

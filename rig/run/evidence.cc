@@ -46,8 +46,8 @@ class Gatherer {
       evidence_.decisions_lost += record->seq - *last_log_seq_ - 1;
     }
     last_log_seq_ = record->seq;
-    evidence_.decisions.push_back({boot_us_.value_or(item.at_us - record->device_us) + record->device_us,
-                                   *record});
+    evidence_.decisions.push_back(
+        {boot_us_.value_or(item.at_us - record->device_us) + record->device_us, *record});
   }
   void operator()(const MeanItem& m) { evidence_.seconds.push_back({m, false}); }
   void operator()(const TableItem& t) { evidence_.tables.push_back(t); }
@@ -61,8 +61,8 @@ class Gatherer {
     }
     for (Second& second : evidence_.seconds) {
       const std::uint64_t end = second.mean.at_us;
-      second.quiet = std::none_of(
-          evidence_.stimuli.begin(), evidence_.stimuli.end(), [&](const Interval& i) {
+      second.quiet =
+          std::none_of(evidence_.stimuli.begin(), evidence_.stimuli.end(), [&](const Interval& i) {
             return i.Overlaps(end - std::min(end, kSecond_us + kAfterglow_us), end);
           });
     }

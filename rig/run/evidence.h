@@ -44,7 +44,7 @@ struct Evidence {
   std::vector<TimedDecision> decisions;  ///< in the order read, every boot's
   std::vector<TableItem> tables;
   std::uint64_t samples = 0;
-  std::uint64_t samples_lost = 0;   ///< by the sequence byte
+  std::uint64_t samples_lost = 0;  ///< by the sequence byte
   std::uint64_t inputs_incomplete = 0;
   std::uint64_t decisions_lost = 0;  ///< missing sequence numbers in the board's log
   std::uint64_t first_us = 0, last_us = 0;

@@ -108,8 +108,8 @@ Result<RunOutcome> ExecuteRun(const RunRequest& request, Instruments& instrument
     return tl::unexpected(ok.error());
   }
   if (auto ok = folder->WriteManifest(manifest); !ok) return tl::unexpected(ok.error());
-  const auto start_us = static_cast<std::uint64_t>(
-      instruments.clock.now().time_since_epoch().count() / 1000);
+  const auto start_us =
+      static_cast<std::uint64_t>(instruments.clock.now().time_since_epoch().count() / 1000);
   auto recorder = Recorder::Create(folder->record_path(), start_us, RecordInfo(request));
   if (!recorder) return tl::unexpected(recorder.error());
 

@@ -35,7 +35,7 @@ struct RunRequest {
   std::uint64_t seed = 0;
   std::filesystem::path runs = "runs";  ///< where the run folder goes
   const StopRequest& stop;
-  RunObserver* observer = nullptr;      ///< may be null
+  RunObserver* observer = nullptr;  ///< may be null
 };
 
 struct RunOutcome {

@@ -39,8 +39,12 @@ class RunLog {
     event.step = step_;
     Write(event);
   }
-  void Alarm(std::string text) { WriteEvent({.kind = EventItem::Kind::kAlarm, .text = std::move(text)}); }
-  void Note(std::string text) { WriteEvent({.kind = EventItem::Kind::kNote, .text = std::move(text)}); }
+  void Alarm(std::string text) {
+    WriteEvent({.kind = EventItem::Kind::kAlarm, .text = std::move(text)});
+  }
+  void Note(std::string text) {
+    WriteEvent({.kind = EventItem::Kind::kNote, .text = std::move(text)});
+  }
 
   void set_step(int step) { step_ = step; }
   const RunSnapshot& snapshot() const { return snapshot_; }

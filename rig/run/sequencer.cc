@@ -41,8 +41,8 @@ Flow Sequencer::Execute() {
   }
   if (flow) flow = End();
   if (!flow && flow.error().why != Halt::Why::kInterrupted) loop_.log().Alarm(flow.error().text);
-  loop_.log().WriteEvent({.kind = EventItem::Kind::kRunEnd,
-                          .text = flow ? "completed" : flow.error().text});
+  loop_.log().WriteEvent(
+      {.kind = EventItem::Kind::kRunEnd, .text = flow ? "completed" : flow.error().text});
   return flow;
 }
 
@@ -55,7 +55,8 @@ Flow Sequencer::Begin() {
   const Instant give_up = loop_.now() + FromSeconds(kAliveTimeout_s);
   while (!loop_.bench().board.status().alive) {
     if (loop_.now() > give_up) {
-      return Stop(Halt::Why::kRigFault, "no frame from the board: check its supply and the CAN bus");
+      return Stop(Halt::Why::kRigFault,
+                  "no frame from the board: check its supply and the CAN bus");
     }
     if (auto flow = loop_.Tick(); !flow) return flow;
   }
@@ -94,9 +95,10 @@ Flow Sequencer::FinishStimuli() {
     if (auto flow = loop_.Tick(); !flow) return flow;
   }
   if (const int waiting = loop_.stimuli().waiting(); waiting > 0) {
-    loop_.log().Alarm(fmt::format("{} stimulus of this step never began: its temperature was not "
-                                  "passed",
-                                  waiting));
+    loop_.log().Alarm(
+        fmt::format("{} stimulus of this step never began: its temperature was not "
+                    "passed",
+                    waiting));
   }
   return {};
 }

@@ -19,8 +19,8 @@ void SettleDetector::Add(Instant t, double process_degc, std::optional<double> b
   while (!window_.empty() && ToSeconds(t - window_.front().t) > criterion_.window_s) {
     window_.pop_front();
   }
-  settled_ = in_band_since_ && ToSeconds(t - *in_band_since_) >= criterion_.window_s &&
-             SlopeIsSmall();
+  settled_ =
+      in_band_since_ && ToSeconds(t - *in_band_since_) >= criterion_.window_s && SlopeIsSmall();
 }
 
 bool SettleDetector::timed_out(Instant t) const {

@@ -9,8 +9,8 @@
 namespace zrobench {
 
 struct SettleCriterion {
-  double band_degc = 0.3;            ///< |process value - set point|
-  double slope_degc_per_min = 0.5;   ///< |d(board temperature)/dt|, least squares over the window
+  double band_degc = 0.3;           ///< |process value - set point|
+  double slope_degc_per_min = 0.5;  ///< |d(board temperature)/dt|, least squares over the window
   double window_s = 20;
   double timeout_s = 1800;
 };

@@ -9,8 +9,8 @@
 namespace zrobench {
 namespace {
 
-constexpr double kRampBand_degc = 0.5;     ///< a ramp is over when the plate is this close
-constexpr double kRampTimeout_s = 600;     ///< beyond the ramp's own time
+constexpr double kRampBand_degc = 0.5;  ///< a ramp is over when the plate is this close
+constexpr double kRampTimeout_s = 600;  ///< beyond the ramp's own time
 constexpr double kBootTimeout_s = 10;
 constexpr double kBootPoll_s = 0.1;
 

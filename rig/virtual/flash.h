@@ -1,5 +1,6 @@
 #pragma once
-// The virtual board's non-volatile memory: outlives reboots, is written whole or (power cut) partly.
+// The virtual board's non-volatile memory: outlives reboots, is written whole or (power cut)
+// partly.
 #include <algorithm>
 #include <array>
 #include <cstdint>

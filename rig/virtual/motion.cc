@@ -60,10 +60,18 @@ void ClearMotion(physics::Inputs& inputs) {
 void ApplyMotion(MotionKind kind, double t_s, double duration_s, physics::Inputs& inputs) {
   ClearMotion(inputs);
   switch (kind) {
-    case MotionKind::kTap: Tap(t_s, inputs); break;
-    case MotionKind::kRotate: Rotate(inputs); break;
-    case MotionKind::kVibrate: Vibrate(t_s, inputs); break;
-    case MotionKind::kHandHeld: HandHeld(t_s, inputs); break;
+    case MotionKind::kTap:
+      Tap(t_s, inputs);
+      break;
+    case MotionKind::kRotate:
+      Rotate(inputs);
+      break;
+    case MotionKind::kVibrate:
+      Vibrate(t_s, inputs);
+      break;
+    case MotionKind::kHandHeld:
+      HandHeld(t_s, inputs);
+      break;
   }
   const double fade = std::clamp(std::min(t_s, duration_s - t_s) / 0.5, 0.0, 1.0);
   for (double& rate : inputs.turn_dps) rate *= fade;

@@ -28,8 +28,8 @@ VirtualBoard::VirtualBoard(const Station& station, std::uint64_t seed, zro::node
       model_(station.model),
       config_(zro::ConfigFor(
           static_cast<float>(settings_.sample_hz),
-          static_cast<float>(station.model.gyro.value_or(physics::GyroModel{})
-                                 .noise_density_dps_per_rthz))),
+          static_cast<float>(
+              station.model.gyro.value_or(physics::GyroModel{}).noise_density_dps_per_rthz))),
       sink_(sink),
       range_code_(RangeCode(settings_.gyro_range_dps)) {
   ShipFromFactory(seed);
@@ -59,8 +59,7 @@ void VirtualBoard::ShipFromFactory(std::uint64_t seed) {
 void VirtualBoard::StartNode(zro::node::BootReason reason) {
   counter_ = 0;
   samples_since_boot_ = 0;
-  node_.emplace(kIdentity, config_, &flash_, &sink_,
-                zro::node::TimeDividerFor(config_.sample_hz));
+  node_.emplace(kIdentity, config_, &flash_, &sink_, zro::node::TimeDividerFor(config_.sample_hz));
   node_->Boot(reason, ++boot_count_);
 }
 

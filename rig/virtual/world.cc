@@ -10,7 +10,8 @@ namespace zrobench {
 namespace {
 
 constexpr auto kHeatStep = std::chrono::milliseconds(100);  ///< also the plate's control period
-constexpr auto kBusDelay = std::chrono::microseconds(500);  ///< a frame on the wire and its handling
+constexpr auto kBusDelay =
+    std::chrono::microseconds(500);  ///< a frame on the wire and its handling
 
 }  // namespace
 

@@ -1,6 +1,7 @@
 #pragma once
 // The virtual rig's one state and its events: heat every 0.1 s, sensors at the sample rate, frames
-// to the board half a millisecond after they are sent. The drivers in virtual_rig.cc look at it and push its buttons.
+// to the board half a millisecond after they are sent. The drivers in virtual_rig.cc look at it and
+// push its buttons.
 #include <optional>
 
 #include "core/clock.h"

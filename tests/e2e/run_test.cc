@@ -39,7 +39,8 @@ TEST_F(RunTest, TheDefaultRunPassesEveryCheckAndSaysSoInItsLastLine) {
   EXPECT_THAT(LastLine(result.out), MatchesRegex("[0-9]+ passed, 0 failed, 0 skipped"));
   EXPECT_THAT(result.out, HasSubstr("verdict: "));
   const auto run = OnlyRun(folder_.path());
-  for (const char* file : {"record.ulg", "run.json", "profile.toml", "station.toml", "report.txt"}) {
+  for (const char* file :
+       {"record.ulg", "run.json", "profile.toml", "station.toml", "report.txt"}) {
     EXPECT_TRUE(std::filesystem::exists(run / file)) << file;
     EXPECT_GT(std::filesystem::file_size(run / file), 100u) << file;
   }
@@ -74,7 +75,8 @@ TEST_F(RunTest, OtherSeedsPassToo) {
 TEST_F(RunTest, TheSameSeedGivesTheSameBytes) {
   const auto record = [&](const char* seed) {
     const TemporaryFolder folder;
-    EXPECT_EQ(RunProgram(kProgram, {"run", "--seed", seed, "--ui", "none"}, folder.path()).exit_code, 0);
+    EXPECT_EQ(
+        RunProgram(kProgram, {"run", "--seed", seed, "--ui", "none"}, folder.path()).exit_code, 0);
     return ReadText(OnlyRun(folder.path()) / "record.ulg");
   };
   const std::string first = record("11");
@@ -94,10 +96,11 @@ TEST_F(RunTest, JsonIsOneObjectAndNothingElse) {
 }
 
 TEST_F(RunTest, WhatIsWrongInAProfileIsSaidWithItsPlaceAndNothingMoves) {
-  const auto profile = folder_.Write("bad.toml",
-                                     "schema = 1\nname = \"bad\"\nabout = \"x\"\n"
-                                     "[[step]]\nramp = { to_degc = 500.0, rate_degc_per_min = 1.0 }\n"
-                                     "[[step]]\nhold = { for_sec = 3 }\n");
+  const auto profile =
+      folder_.Write("bad.toml",
+                    "schema = 1\nname = \"bad\"\nabout = \"x\"\n"
+                    "[[step]]\nramp = { to_degc = 500.0, rate_degc_per_min = 1.0 }\n"
+                    "[[step]]\nhold = { for_sec = 3 }\n");
   const ProgramResult result = Run({"run", profile.string()});
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, HasSubstr("bad.toml:5:"));

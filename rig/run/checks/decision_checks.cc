@@ -17,8 +17,8 @@ constexpr std::uint64_t kSecond_us = 1'000'000;
 /// A refusal may come up to a reading (and its re-reads) after the stimulus: it judges what it
 /// averaged.
 constexpr std::uint64_t kVerdictDelay_us = 8 * kSecond_us;
-constexpr std::uint64_t kReading_us = 5 * kSecond_us;   ///< averaging window of one reading
-constexpr std::uint64_t kGraze_us = kSecond_us / 2;     ///< overlap too short to matter
+constexpr std::uint64_t kReading_us = 5 * kSecond_us;  ///< averaging window of one reading
+constexpr std::uint64_t kGraze_us = kSecond_us / 2;    ///< overlap too short to matter
 
 std::vector<int> Codes(const Expectation& expect) {
   std::vector<int> codes;
@@ -40,8 +40,8 @@ std::string Text(const Expectation& expect, const std::string& wanted) {
 }
 
 bool Wrote(zro::Code code) {
-  return code == zro::Code::kNew || code == zro::Code::kMerged || code == zro::Code::kOverwroteOld ||
-         code == zro::Code::kShiftConfirmed;
+  return code == zro::Code::kNew || code == zro::Code::kMerged ||
+         code == zro::Code::kOverwroteOld || code == zro::Code::kShiftConfirmed;
 }
 
 }  // namespace
@@ -59,11 +59,11 @@ CheckResult CheckRejects(const Expectation& expect, const CheckContext& context)
   for (const Interval& stimulus : context.evidence.stimuli) {
     if (!stimulus.Is(during)) continue;
     provoked = true;
-    const auto count = std::count_if(
-        context.evidence.decisions.begin(), context.evidence.decisions.end(), [&](const auto& d) {
-          return wanted(d) && d.at_us >= stimulus.first_us &&
-                 d.at_us <= stimulus.last_us + kVerdictDelay_us;
-        });
+    const auto count = std::count_if(context.evidence.decisions.begin(),
+                                     context.evidence.decisions.end(), [&](const auto& d) {
+                                       return wanted(d) && d.at_us >= stimulus.first_us &&
+                                              d.at_us <= stimulus.last_us + kVerdictDelay_us;
+                                     });
     result.measurements.push_back({.name = "rejects." + during,
                                    .value = static_cast<double>(count),
                                    .unit = "1",
@@ -88,8 +88,8 @@ Measurement WritesDuringStimuli(const Evidence& evidence) {
   for (const TimedDecision& decision : evidence.decisions) {
     if (!Wrote(decision.record.code)) continue;
     const std::uint64_t from = decision.at_us - std::min(decision.at_us, kReading_us);
-    const bool corrupt = std::any_of(
-        evidence.stimuli.begin(), evidence.stimuli.end(), [&](const Interval& i) {
+    const bool corrupt =
+        std::any_of(evidence.stimuli.begin(), evidence.stimuli.end(), [&](const Interval& i) {
           return i.kind != "off" && i.Overlaps(from + kGraze_us, decision.at_us - kGraze_us);
         });
     m.value += corrupt ? 1 : 0;
@@ -103,9 +103,10 @@ CheckResult CheckNoCorruptEntry(const Expectation& expect, const CheckContext& c
   const double within = expect.number("within_mdps", 50);
   CheckResult result;
   result.check = expect.check;
-  result.about = fmt::format("no reading taken during a stimulus was stored, none off by more than "
-                             "{:g} mdps",
-                             within);
+  result.about = fmt::format(
+      "no reading taken during a stimulus was stored, none off by more than "
+      "{:g} mdps",
+      within);
   result.measurements.push_back(WritesDuringStimuli(context.evidence));
   for (const TimedDecision& decision : context.evidence.decisions) {
     if (!Wrote(decision.record.code)) continue;
@@ -125,7 +126,8 @@ CheckResult CheckNoCorruptEntry(const Expectation& expect, const CheckContext& c
     result.measurements.push_back(m);
   }
   if (context.evidence.decisions_lost > 0) {
-    result.reason = fmt::format("{} decisions of the board were lost", context.evidence.decisions_lost);
+    result.reason =
+        fmt::format("{} decisions of the board were lost", context.evidence.decisions_lost);
   }
   JudgeCheck(result);
   if (!result.reason.empty() && result.verdict == Verdict::kPass) {

@@ -79,11 +79,11 @@ CheckResult CheckLockstep(const Expectation& expect, const CheckContext& context
   const double sample_hz = station.virtual_rig.sample_hz;
   const physics::GyroModel gyro = station.model.gyro.value_or(physics::GyroModel{});
   const auto start = StartImage(context.record);
-  auto replica = start ? Replica::Create(zro::ConfigFor(static_cast<float>(sample_hz),
-                                                        static_cast<float>(
-                                                            gyro.noise_density_dps_per_rthz)),
-                                         zro::node::TimeDividerFor(static_cast<float>(sample_hz)), *start)
-                       : tl::unexpected(start.error());
+  auto replica =
+      start ? Replica::Create(zro::ConfigFor(static_cast<float>(sample_hz),
+                                             static_cast<float>(gyro.noise_density_dps_per_rthz)),
+                              zro::node::TimeDividerFor(static_cast<float>(sample_hz)), *start)
+            : tl::unexpected(start.error());
   if (!replica) {
     result.reason = replica.error().message;
     return result;
@@ -96,12 +96,13 @@ CheckResult CheckLockstep(const Expectation& expect, const CheckContext& context
   const Evidence& evidence = context.evidence;
   result.measurements = {
       Count("tables_different", static_cast<std::uint64_t>(comparison.tables_different), evidence),
-      Count("events_different", EventDifferences(comparison.board_log, (*replica)->log()), evidence),
+      Count("events_different", EventDifferences(comparison.board_log, (*replica)->log()),
+            evidence),
       Count("rates_different", (*replica)->rates().different, evidence)};
   result.reason = FirstDifference(comparison);
   JudgeCheck(result);
-  const std::uint64_t lost = (*replica)->lost_inputs() + evidence.samples_lost +
-                             evidence.inputs_incomplete;
+  const std::uint64_t lost =
+      (*replica)->lost_inputs() + evidence.samples_lost + evidence.inputs_incomplete;
   if (lost > 0 || comparison.tables == 0) {
     result.verdict = Verdict::kInconclusive;
     result.reason = fmt::format("{} inputs of the corrector are not in the record", lost);

@@ -50,13 +50,14 @@ CheckResult CheckResidualRate(const Expectation& expect, const CheckContext& con
   const double within = expect.number("within_mdps", 0);
   CheckResult result;
   result.check = expect.check;
-  result.about = fmt::format("corrected rate, {} s means, within {:g} mdps of zero while still and "
-                             "silent",
-                             kPieceSeconds, within);
+  result.about = fmt::format(
+      "corrected rate, {} s means, within {:g} mdps of zero while still and "
+      "silent",
+      kPieceSeconds, within);
   std::array<Measurement, 3> worst;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    worst[axis] = {.name = fmt::format("residual_rate.{}", "xyz"[axis]), .unit = "mdps",
-                   .high = within};
+    worst[axis] = {
+        .name = fmt::format("residual_rate.{}", "xyz"[axis]), .unit = "mdps", .high = within};
   }
   Piece piece;
   for (const Second& second : context.evidence.seconds) {

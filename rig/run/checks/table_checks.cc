@@ -47,8 +47,8 @@ CheckResult Start(const Expectation& expect, std::string about) {
 CheckResult CheckTableCoverage(const Expectation& expect, const CheckContext& context) {
   const double from = expect.number("from_degc", 0), to = expect.number("to_degc", 0);
   const double step = expect.number("step_degc", 2.5), min_pct = expect.number("min_pct", 100);
-  CheckResult result = Start(
-      expect, fmt::format("entries every {:g} degC from {:g} to {:g} degC", step, from, to));
+  CheckResult result =
+      Start(expect, fmt::format("entries every {:g} degC from {:g} to {:g} degC", step, from, to));
   const auto table = FinalTable(context.evidence);
   if (!table) {
     result.reason = "the record holds no readable table";

@@ -8,7 +8,11 @@ namespace zrobench {
 namespace {
 
 Measurement Value(double value, double uncertainty_k2) {
-  return {.name = "m", .value = value, .unit = "mdps", .low = -10, .high = 10,
+  return {.name = "m",
+          .value = value,
+          .unit = "mdps",
+          .low = -10,
+          .high = 10,
           .uncertainty_k2 = uncertainty_k2};
 }
 

@@ -17,7 +17,8 @@ Peaks PeaksOf(MotionKind kind, double duration_s) {
   physics::Inputs inputs;
   for (double t = 0; t <= duration_s; t += 0.001) {
     ApplyMotion(kind, t, duration_s, inputs);
-    for (const double rate : inputs.turn_dps) peaks.turn_dps = std::max(peaks.turn_dps, std::abs(rate));
+    for (const double rate : inputs.turn_dps)
+      peaks.turn_dps = std::max(peaks.turn_dps, std::abs(rate));
     for (const double a : inputs.shake_g) peaks.shake_g = std::max(peaks.shake_g, std::abs(a));
   }
   return peaks;

@@ -17,8 +17,8 @@ double RunTo(PlateController& controller, physics::RigModel& model, double secon
     inputs.drive_pct = controller.Step(model.temperatures().plate_degc, 0.1);
     EXPECT_LE(std::abs(inputs.drive_pct), 100);
     model.AdvanceHeat(0.1, inputs);
-    *overshoot_degc = std::max(*overshoot_degc,
-                               model.temperatures().plate_degc - controller.setpoint_degc());
+    *overshoot_degc =
+        std::max(*overshoot_degc, model.temperatures().plate_degc - controller.setpoint_degc());
   }
   return model.temperatures().plate_degc;
 }
