@@ -75,6 +75,32 @@ TEST_F(UlogTest, GarbageEndsTheReadingAndSaysWhere) {
   }
 }
 
+TEST_F(UlogTest, AnyDamagedByteLeavesWhatLiesInFrontOfIt) {
+  const std::vector<Item> items = {ImuSample{1}, BusFrame{2}, PlateItem{3}};
+  Record(Path("r.ulg"), items);
+  const std::string good = Read(Path("r.ulg"));
+  std::vector<std::uint64_t> ends;
+  auto reader = ulog::Reader::Open(Path("r.ulg"));
+  ASSERT_TRUE(reader.has_value());
+  while (const auto message = reader->Next()) {
+    if (message->type == 'D') ends.push_back(reader->end().whole_bytes);
+  }
+  const auto bytes = Bytes(items);
+  for (std::size_t at = 0; at < good.size(); ++at) {
+    std::string bad = good;
+    bad[at] = static_cast<char>(bad[at] ^ (at % 2 ? 0xFF : 0x01));
+    std::vector<std::string> seen;
+    const auto end =
+        ReadItems(Write("d.ulg", bad), [&](const Item& item) { seen.push_back(Bytes(item)); });
+    if (!end) continue;
+    EXPECT_LE(end->whole_bytes, bad.size());
+    for (std::size_t i = 0; i < ends.size() && ends[i] <= at; ++i) {
+      ASSERT_GT(seen.size(), i) << "byte " << at;
+      ASSERT_EQ(seen[i], bytes[i]);
+    }
+  }
+}
+
 TEST_F(UlogTest, UnknownMessageTypesAreSkipped) {
   Record(Path("r.ulg"), {ImuSample{1}});
   const std::string good = Read(Path("r.ulg"));
