@@ -33,10 +33,14 @@ bool Stillness::Break(const Interruption& why) {
   return was_still;
 }
 
+void Stillness::CountQuiet() {
+  if (quiet_ < declare_samples_ || quiet_ < mean_samples_) ++quiet_;
+}
+
 bool Stillness::Lose(const Sample& sample) {
   const bool clipped = sample.gyro_clipped || sample.accel_clipped;
   if (++unusable_ <= lost_samples_) {
-    if (quiet_ > 0) ++quiet_;  // a short glitch spoils a reading, not the stillness
+    if (quiet_ > 0) CountQuiet();  // a short glitch spoils a reading, not the stillness
     return false;
   }
   return Break({clipped ? Code::kClipped : Code::kSampleGap, kNoAxis,
@@ -78,7 +82,7 @@ bool Stillness::Step(const Sample& sample, float limit_g) {
   bool ended = false;
   Interruption why{};
   if (quiet_ > 0 && Departs(limit_g, &why)) ended = Break(why);
-  ++quiet_;
+  CountQuiet();
   const std::uint32_t n = quiet_ < mean_samples_ ? quiet_ : mean_samples_;
   const float gain = 1.0f / static_cast<float>(n);
   for (int axis = 0; axis < kAxes; ++axis) {

@@ -31,13 +31,15 @@ class Stillness {
   bool Step(const Sample& sample, float limit_g);
 
   bool still() const { return quiet_ >= declare_samples_; }
-  /// Samples in the present quiet period; 1 on the sample that broke the one before.
+  /// Samples in the present quiet period; 1 on the sample that broke the one before. Counted no
+  /// further than kDeclareS and kMeanS need: months of rest must not wrap it.
   std::uint32_t quiet_samples() const { return quiet_; }
   const Interruption& interruption() const { return interruption_; }
 
  private:
   bool Break(const Interruption& why);
   bool Lose(const Sample& sample);
+  void CountQuiet();
   void Smooth(const Sample& sample);
   bool Departs(float limit_g, Interruption* why) const;
 

@@ -47,6 +47,11 @@ TEST_F(StillnessTest, HoldsForHoursUnderSensorNoise) {
   EXPECT_TRUE(stillness_.still());
 }
 
+TEST_F(StillnessTest, MonthsOfRestCannotWrapTheCount) {
+  Feed(200 * 60);
+  EXPECT_EQ(stillness_.quiet_samples(), 400u);  // no more than the 2 s that anyone asks about
+}
+
 TEST_F(StillnessTest, OneInterruptionForALongMotion) {
   Feed(1000);
   int ended = 0;
