@@ -37,6 +37,7 @@ Output Corrector::Step(const Sample& sample) {
   started_ = true;
   updated_ = false;
   TakeTemperature(sample);
+  residual_.Expire(sample_);
   Learn(sample);
   if (quarantine_.Expire(sample_)) {
     Emit({Code::kQuarantineExpired, kNoAxis, Quarantine::kExpireS, Quarantine::kExpireS},

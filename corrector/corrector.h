@@ -52,7 +52,7 @@ class Corrector {
   bool RestoreFactory();
   void SetLimits(const Limits& limits) { config_.limits = limits; }
   const Limits& limits() const { return config_.limits; }
-  /// While set, readings are refused with kTestMode (object 0x2101).
+  /// A reading with a sample taken while this is set is refused with kTestMode (object 0x2101).
   void SetTestMode(bool on) { test_mode_ = on; }
 
   const Table& table() const { return table_; }
@@ -135,6 +135,7 @@ class Corrector {
   bool dirty_ = false;
   bool complete_ = false;
   bool test_mode_ = false;
+  bool tested_ = false;  ///< test_mode_ was set during the reading under way
   bool updated_ = false;
   bool store_invalid_ = false;
 };

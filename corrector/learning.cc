@@ -30,7 +30,11 @@ void Corrector::Learn(const Sample& sample) {
     reading_.Stop();
     return;
   }
-  if (!reading_.gathering()) reading_.Restart(config_.limits.min_samples);
+  if (!reading_.gathering()) {
+    reading_.Restart(config_.limits.min_samples);
+    tested_ = false;
+  }
+  tested_ = tested_ || test_mode_;
   reading_.Add(sample, temp_valid_);
   if (reading_.ripe() && stillness_.still()) Judge();
 }
@@ -59,7 +63,7 @@ void Corrector::Judge() {
   const Summary reading = reading_.Summarise();
   reading_.Stop();
   period_.judged = true;
-  if (test_mode_) {
+  if (tested_) {
     Refuse({Code::kTestMode, kNoAxis, 1.0f, 0.0f}, reading);
     return;
   }
@@ -198,7 +202,7 @@ void Corrector::Write(const Decision& decision, const Summary& reading) {
 void Corrector::SayNothingToDo(const Finding& finding, const Summary& reading) {
   const auto bin = static_cast<std::int16_t>(table_.BinOf(reading.temp_degc));
   const bool repeats = period_.said && period_.said_bin == bin;
-  if (repeats && !Due(period_.said_at + Samples(kSayAgainS))) return;
+  if (repeats && sample_ - period_.said_at < Samples(kSayAgainS)) return;
   period_.said = true;
   period_.said_bin = bin;
   period_.said_at = sample_;

@@ -15,6 +15,10 @@ void Residual::Take(const Summary& reading, const float table_dps[kAxes], std::u
   held_ = true;
 }
 
+void Residual::Expire(std::uint32_t sample) {
+  if (held_ && static_cast<float>(sample - sample_) >= fade_samples_) held_ = false;
+}
+
 float Residual::At(int axis, float temp_degc, std::uint32_t sample) const {
   if (!held_) return 0.0f;
   const float by_time = 1.0f - static_cast<float>(sample - sample_) / fade_samples_;

@@ -22,6 +22,8 @@ class Residual {
   /// reading's noise is mostly dropped, a clear one kept.
   void Take(const Summary& reading, const float table_dps[kAxes], std::uint32_t sample);
   void Clear() { held_ = false; }
+  /// Forgets it once faded, so that it cannot come back when the sample index wraps.
+  void Expire(std::uint32_t sample);
 
   /// To be added to the table's offset of `axis`, dps.
   float At(int axis, float temp_degc, std::uint32_t sample) const;

@@ -156,6 +156,33 @@ TEST_F(Abuse, TestModeIsCode16) {
   ExpectRecovery();
 }
 
+TEST_F(Abuse, ReadingThatATestModeTouchedIsCode16EvenWhenItEndedInTime) {
+  bench_.Rest(2.0, 30.0);
+  bench_.corrector().SetTestMode(true);
+  bench_.Rest(1.0, 30.0, {0.05, 0.0, 0.0});  // what the bench injects
+  bench_.corrector().SetTestMode(false);
+  bench_.Rest(3.5, 30.0);
+  EXPECT_THAT(bench_.Codes(), testing::ElementsAre(Code::kTestMode));
+  bench_.Rest(6.0, 30.0);
+  EXPECT_THAT(bench_.Codes(), testing::ElementsAre(Code::kTestMode, Code::kNew));
+}
+
+TEST_F(Abuse, FadedResidualStaysGoneWhenTheSampleIndexWraps) {
+  bench_.Rest(7.0, 25.0, {0.05, 0.0, 0.0});  // within the tolerance: held as residual
+  Limits limits;
+  limits.mode = Mode::kApply;  // nothing new takes its place
+  bench_.corrector().SetLimits(limits);
+  const float table_dps = bench_.table().At(25.0f).zro_dps[0];
+  last_ = bench_.Step(bench_.Make(Scene{}));
+  EXPECT_GT(last_.zro_dps[0] - table_dps, 0.005f);
+  for (int half = 0; half < 2; ++half) {  // 2^32 samples: 248 days at 200 Hz
+    Sample later = bench_.Make(Scene{});
+    later.elapsed = 0x80000000u;
+    last_ = bench_.Step(later);
+    EXPECT_FLOAT_EQ(last_.zro_dps[0], table_dps);
+  }
+}
+
 TEST_F(Abuse, OnlyLearnApplyLearns) {
   for (const Mode mode : {Mode::kOff, Mode::kApply, Mode::kFrozen}) {
     Limits limits;
