@@ -18,15 +18,16 @@ NoiseFloor::NoiseFloor(float density_dps_per_rthz, float sample_hz) {
 
 void NoiseFloor::Learn(const Summary& reading) {
   for (int axis = 0; axis < kAxes; ++axis) {
+    if (reading.std_dps[axis] <= 0.0f) continue;
     const float now = Max(reading.std_dps[axis], kLeastDps);
     float& floor = floor_dps_[axis];
-    floor += (!learned_ ? 1.0f : now < floor ? kDownGain : kUpGain) * (now - floor);
+    floor += (!learned_[axis] ? 1.0f : now < floor ? kDownGain : kUpGain) * (now - floor);
+    learned_[axis] = true;
   }
-  learned_ = true;
 }
 
 float NoiseFloor::Ratio(float std_dps, int axis) const {
-  return std_dps / (floor_dps_[axis] * (learned_ ? 1.0f : kGuessTolerance));
+  return std_dps / (floor_dps_[axis] * (learned_[axis] ? 1.0f : kGuessTolerance));
 }
 
 PresentNoise::PresentNoise(float sample_hz) : gain_(1.0f / (kMemoryS * sample_hz)) {}

@@ -18,7 +18,8 @@ class NoiseFloor {
   NoiseFloor(float density_dps_per_rthz, float sample_hz);
 
   /// An accepted reading: followed quickly downwards, slowly upwards, so that a noisy surrounding
-  /// cannot lift the floor by being met often.
+  /// cannot lift the floor by being met often. An axis that never moved is stuck, or coarser than
+  /// its noise: it says nothing of the floor, which would lock out every later reading.
   void Learn(const Summary& reading);
 
   /// Noise of an axis over its floor; divided by kGuessTolerance while the floor is a guess.
@@ -26,7 +27,7 @@ class NoiseFloor {
 
  private:
   float floor_dps_[kAxes];
-  bool learned_ = false;
+  bool learned_[kAxes] = {};
 };
 
 /// Noise of the present moment, from differences of successive samples: unlike a variance, it sees

@@ -132,6 +132,19 @@ TEST(Quality, FloorFollowsDownFastAndUpSlowly) {
   EXPECT_GT(floor.Ratio(0.0585f, 0), 1.4f);
 }
 
+TEST(Quality, AnAxisThatWasStuckOnceDoesNotLockOutWhatComesAfter) {
+  NoiseFloor floor(0.005f, kHz);
+  floor.Learn(Read([](int, Sample* s) { s->rate_dps[1] = 0.0f; }));
+  EXPECT_EQ(AssessQuality(Read([](int, Sample*) {}), Limits{}, floor).code, Code::kNone);
+  floor.Learn(Read([](int, Sample*) {}));
+  for (int i = 0; i < 20; ++i) {
+    floor.Learn(Read([](int, Sample* s) {
+      for (float& rate : s->rate_dps) rate = 0.0f;
+    }));
+  }
+  EXPECT_EQ(AssessQuality(Read([](int, Sample*) {}), Limits{}, floor).code, Code::kNone);
+}
+
 TEST(Quality, PresentNoiseSeesAToneNotASlope) {
   std::mt19937 rng(3);
   std::normal_distribution<float> normal;
