@@ -77,7 +77,8 @@ class Table {
   /// then the entries. Returns its length. `generation` counts committed changes. Origin: 0 empty,
   /// 1 factory entries only, 2 with learned ones. `out` has room for kMaxImageBytes.
   std::size_t ToImage(std::uint32_t generation, std::uint8_t* out) const;
-  /// False (and unchanged) when the image is not one `ToImage` could have made.
+  /// False (and unchanged) when the image is not one `ToImage` of a table with these bins could
+  /// have made.
   bool FromImage(const std::uint8_t* image, std::size_t size, std::uint32_t* generation);
 
  private:

@@ -37,17 +37,24 @@ std::uint8_t Combined(std::uint8_t so_far, Origin origin) {
   return value > so_far ? value : so_far;
 }
 
-/// Walks the entries without storing them, so that a bad image changes nothing.
-bool EntriesAreCanonical(const std::uint8_t* first, int count, std::uint8_t origin) {
+/// Walks the entries without storing them, so that a bad image changes nothing. `table` tells bins.
+bool EntriesAreCanonical(const std::uint8_t* first, int count, std::uint8_t origin,
+                         const Table& table) {
   std::uint8_t combined = 0;
   Entry previous{};
+  Entry latest[2] = {};  // of either origin; weight 0: none yet
+  int factory = 0;
   for (int i = 0; i < count; ++i) {
     const Entry entry = GetEntry(first + static_cast<std::size_t>(i) * Table::kEntryBytes);
     if (!IsFit(entry) || (i > 0 && !InOrder(previous, entry))) return false;
+    Entry& before = latest[entry.origin == Origin::kFactory ? 0 : 1];
+    const int bin = table.BinOf(entry.temp_degc);
+    if (before.weight > 0 && table.BinOf(before.temp_degc) == bin) return false;
+    factory += entry.origin == Origin::kFactory ? 1 : 0;
     combined = Combined(combined, entry.origin);
-    previous = entry;
+    previous = before = entry;
   }
-  return combined == origin;
+  return combined == origin && factory <= Table::kFactoryCapacity;
 }
 
 }  // namespace
@@ -74,7 +81,7 @@ bool Table::FromImage(const std::uint8_t* image, std::size_t size, std::uint32_t
     if (image[i] != 0) return false;
   }
   const std::uint8_t* first = image + kHeaderBytes;
-  if (!EntriesAreCanonical(first, count, image[8])) return false;
+  if (!EntriesAreCanonical(first, count, image[8], *this)) return false;
   for (int i = 0; i < count; ++i) {
     entries_[i] = GetEntry(first + static_cast<std::size_t>(i) * kEntryBytes);
   }

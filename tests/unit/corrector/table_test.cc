@@ -134,7 +134,35 @@ TEST(Table, ImageOfUnsortedOrUnfitEntriesIsRefused) {
   Bytes wrong_origin = good;
   wrong_origin[8] = 1;
   EXPECT_TRUE(refused(wrong_origin));
+  Bytes twice = good;  // the second entry in the first one's bin
+  twice[40 + 2] = 0x28, twice[40 + 3] = 0x41;
+  EXPECT_TRUE(refused(twice));
+  Bytes twins = good;
+  std::copy_n(twins.begin() + 16, 24, twins.begin() + 40);
+  EXPECT_TRUE(refused(twins));
   EXPECT_FALSE(refused(good));
+}
+
+TEST(Table, ImageWithMoreFactoryEntriesThanATableTakesIsRefused) {
+  const auto image_of = [](int factory) {
+    Bytes image(Table::kHeaderBytes);
+    image[0] = Table::kLayoutVersion;
+    image[2] = static_cast<std::uint8_t>(factory);
+    image[8] = 1;
+    for (int i = 0; i < factory; ++i) {
+      Table one;
+      one.Insert(Factory(-39.0f + 2.5f * static_cast<float>(i), 0.0f));
+      const Bytes entry = ImageOf(one, 0);
+      image.insert(image.end(), entry.begin() + Table::kHeaderBytes, entry.end());
+    }
+    return image;
+  };
+  Table read;
+  std::uint32_t generation = 0;
+  const Bytes most = image_of(Table::kFactoryCapacity);
+  EXPECT_TRUE(read.FromImage(most.data(), most.size(), &generation));
+  const Bytes more = image_of(Table::kFactoryCapacity + 1);
+  EXPECT_FALSE(read.FromImage(more.data(), more.size(), &generation));
 }
 
 TEST(Table, FullTableGivesUpItsOldestLearnedEntryNeverAFactoryOne) {
