@@ -53,6 +53,8 @@ bool Corrector::AddFactoryEntry(float temp_degc, const float zro_dps[kAxes], flo
   if (!table_.Insert(entry)) return false;
   dirty_ = true;
   fresh_ = false;
+  residual_.Clear();   // it was the difference from another table
+  UpdateCompletion();  // a full table gave up a learned entry
   return true;
 }
 
@@ -60,12 +62,16 @@ bool Corrector::Commit() {
   if (!dirty_) return true;
   if (!store_.Write(table_, generation_ + 1)) {
     Emit({Code::kStoreWrite, kNoAxis, 0.0f, 0.0f}, temp_degc_, nullptr);
+    store_failing_ = true;
+    commit_due_ = true;
+    commit_at_ = sample_ + Samples(kRetryCommitS);
     return false;
   }
   ++generation_;
   dirty_ = false;
   commit_due_ = false;
   store_invalid_ = false;
+  store_failing_ = false;
   last_commit_ = sample_;
   return true;
 }
@@ -94,8 +100,7 @@ void Corrector::TakeTemperature(const Sample& sample) {
 }
 
 void Corrector::CommitIfDue() {
-  if (!commit_due_ || !Due(commit_at_)) return;
-  if (!Commit()) commit_at_ = sample_ + Samples(kRetryCommitS);
+  if (commit_due_ && Due(commit_at_)) Commit();
 }
 
 const Estimate& Corrector::EstimateNow() {
@@ -154,7 +159,7 @@ void Corrector::Emit(const Finding& finding, float temp_degc, const float* measu
   event.sample = sample_;
   event.code = finding.code;
   event.axis = finding.axis;
-  event.bin = WireBin(temp_degc);
+  event.bin = has_temp_ ? WireBin(temp_degc) : kNoBin;
   event.temp_degc = temp_degc;
   if (measured_dps != nullptr) {
     for (int axis = 0; axis < kAxes; ++axis) event.measured_dps[axis] = measured_dps[axis];

@@ -46,7 +46,7 @@ class Corrector {
   /// factory entry of the same bin. False when the values are unfit or the table is full.
   bool AddFactoryEntry(float temp_degc, const float zro_dps[kAxes], float sigma_dps);
   /// Writes the table to the store now (object 0x1010), unless nothing changed since the last
-  /// time. False when the storage failed.
+  /// time. False when the storage failed; it is tried again a minute later.
   bool Commit();
   /// Drops what was learned, keeps the factory's entries, commits (object 0x1011).
   bool RestoreFactory();
@@ -57,7 +57,8 @@ class Corrector {
 
   const Table& table() const { return table_; }
   std::uint32_t generation() const { return generation_; }
-  bool dirty() const { return dirty_; }  ///< changed since the last commit
+  bool dirty() const { return dirty_; }                  ///< changed since the last commit
+  bool store_failing() const { return store_failing_; }  ///< the last commit failed
   bool complete() const { return complete_; }
 
  private:
@@ -138,6 +139,7 @@ class Corrector {
   bool tested_ = false;  ///< test_mode_ was set during the reading under way
   bool updated_ = false;
   bool store_invalid_ = false;
+  bool store_failing_ = false;
 };
 
 }  // namespace zro

@@ -216,6 +216,7 @@ void Corrector::NoteWrite(float temp_degc, bool promptly) {
   period_.wrote = true;
   period_.written_bin = static_cast<std::int16_t>(table_.BinOf(temp_degc));
   period_.written_at = sample_;
+  if (store_failing_) return;  // tried again when it is time, not before
   if (promptly) {
     commit_at_ = sample_ + Samples(kCommitSoonS);
   } else if (!commit_due_) {

@@ -61,7 +61,10 @@ bool Store::Write(const Table& table, std::uint32_t generation) {
   const int target = newest_ == 0 ? 1 : 0;
   std::uint8_t slot[kSlotBytes];
   Seal(table, generation, sequence_ + 1, slot);
+  const std::uint32_t crc = GetU32(slot + kCrcAt);
   if (!storage_->Write(target, slot, kSlotBytes)) return false;
+  if (!storage_->Read(target, slot, kSlotBytes)) return false;
+  if (Crc32(slot, kCrcAt) != crc || GetU32(slot + kCrcAt) != crc) return false;
   newest_ = static_cast<std::int8_t>(target);
   ++sequence_;
   return true;

@@ -28,7 +28,8 @@ class Store {
   /// nothing valid, or it cannot be read.
   Load Read(Table* table, std::uint32_t* generation);
 
-  /// Writes the slot that is not the newest. False when the storage failed; the newest stays.
+  /// Writes the slot that is not the newest and reads it back: worn memory may say yes and keep
+  /// something else. False when the storage failed; the newest stays.
   bool Write(const Table& table, std::uint32_t generation);
 
   /// A slot's bytes, as Write makes them; `out` has room for kSlotBytes. For hosts that start a

@@ -58,7 +58,7 @@ inline constexpr bool IsRejection(Code c) {
 
 /// One decision with the numbers behind it.
 struct Event {
-  std::uint32_t seq;     ///< counts every event since the store was blank or cleared at boot
+  std::uint32_t seq;     ///< counts the events since boot, from 0
   std::uint32_t sample;  ///< index of the sample it was taken at, since boot
   Code code;
   std::uint8_t axis;          ///< worst axis 0..2, kNoAxis where none

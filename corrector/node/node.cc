@@ -64,6 +64,7 @@ void Node::OnFrame(const Frame& frame) {
     return;
   } else if (Decode(frame, &time)) {
     corrector_.SetDate(time.days);
+    DrainEvents();
   } else if (frame.id == SdoMsg::kRxId) {
     sdo_.OnFrame(frame);
     corrector_.SetTestMode(test_modes_.active());
@@ -190,8 +191,8 @@ void Node::SendStatus() {
 }
 
 std::uint8_t Node::nv_state() const {
-  if (!corrector_.dirty()) return 0;
-  return store_failed_ ? 3 : 1;
+  if (corrector_.store_failing()) return 3;
+  return corrector_.dirty() ? 1 : 0;
 }
 
 void Node::SendIdentity() {
@@ -217,7 +218,6 @@ void Node::DrainEvents() {
   Event event{};
   while (corrector_.PopEvent(&event)) {
     log_.Put(event, DeviceMicroseconds(event.sample));
-    store_failed_ = store_failed_ ? corrector_.dirty() : event.code == Code::kStoreWrite;
     if (IsRejection(event.code)) SendEmergency(event);
   }
 }

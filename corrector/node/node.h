@@ -120,7 +120,6 @@ class Node {
   Output output_{};
 
   std::uint32_t rejections_ = 0;
-  bool store_failed_ = false;
   std::uint32_t now_ms_ = 0;
   bool rig_heard_ = false;
   std::uint32_t rig_heard_ms_ = 0;

@@ -34,10 +34,11 @@ class RamStorage final : public Storage {
     return true;
   }
   bool Write(int slot, const std::uint8_t* data, std::size_t size) override {
-    if (fail_writes) return false;
     ++writes;
+    if (fail_writes) return false;
     const std::size_t kept = cut_at < size ? cut_at : size;
     std::memcpy(slots[static_cast<std::size_t>(slot)].data(), data, kept);
+    if (worn) slots[static_cast<std::size_t>(slot)][100] ^= 4;
     return true;
   }
 
@@ -45,7 +46,8 @@ class RamStorage final : public Storage {
   std::size_t cut_at = SIZE_MAX;  ///< bytes written before the power goes
   bool fail_reads = false;
   bool fail_writes = false;
-  int writes = 0;
+  bool worn = false;  ///< a bit does not keep what was written
+  int writes = 0;     ///< tried
 };
 
 struct Noise {

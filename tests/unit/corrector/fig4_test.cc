@@ -178,6 +178,23 @@ TEST(Patent, Fig4Block46_ReArmsByAgeAndByGap) {
   EXPECT_EQ(bench.Count(Code::kReArmed), 2);
 }
 
+TEST(Fig4, FactoryEntryThatCostsAFullTableALearnedOneReArms) {
+  Bench bench(Covering(-40.0f, -35.0f));
+  bench.corrector().SetDate(kToday);
+  Table full;
+  for (int bin = 0; bin < Table::kCapacity; ++bin) {  // the oldest entry is in the coverage
+    const float temp = -39.0f + 2.5f * static_cast<float>(bin);
+    const auto date = static_cast<std::uint16_t>(kToday - (bin == 0 ? 20 : 1));
+    full.Insert({temp, {0.0f, 0.0f, 0.0f}, 0.002f, date, 1, Origin::kLearned});
+  }
+  Store::Seal(full, 1, 1, bench.storage.slots[0].data());
+  bench.corrector().Boot();
+  ASSERT_TRUE(bench.corrector().complete());
+  const float zro[3] = {};
+  ASSERT_TRUE(bench.corrector().AddFactoryEntry(25.0f, zro, 0.005f));
+  EXPECT_FALSE(bench.corrector().complete());
+}
+
 TEST(Fig4, HoursOfStillnessNeitherSpamNorPileUp) {
   Config config;
   config.sample_hz = 50.0f;

@@ -125,6 +125,7 @@ TEST(CorrectorStore, UnreadableOrGarbledStoreGivesCode13AndAnEmptyTable) {
   Event event;
   ASSERT_TRUE(corrector.PopEvent(&event));
   EXPECT_EQ(event.code, Code::kStoreInvalid);
+  EXPECT_EQ(event.bin, kNoBin);  // no temperature known yet
   EXPECT_EQ(corrector.table().size(), 0);
   Sample sample{{1.0f, 2.0f, 3.0f}, {0.0f, 0.0f, 1.0f}, 25.0f, 1, false, false, false};
   const Output out = corrector.Step(sample);
@@ -149,7 +150,50 @@ TEST(CorrectorStore, FailedWriteIsCode14AndTriedAgain) {
   bench.storage.fail_writes = false;
   bench.Rest(62.0);
   EXPECT_FALSE(bench.corrector().dirty());
-  EXPECT_EQ(bench.storage.writes, 1);
+  EXPECT_EQ(bench.storage.writes, 2);
+}
+
+TEST(CorrectorStore, FailingMemoryIsNotHammeredHoweverMuchIsLearned) {
+  Bench bench;
+  bench.storage.fail_writes = true;
+  for (int i = 0; i < 15; ++i) {  // 2 min, a new entry every 8 s
+    bench.Rest(7.0, 20.0 + 2.5 * i);
+    bench.Shake(1.0, 20.0 + 2.5 * i);
+  }
+  EXPECT_EQ(bench.Count(Code::kNew), 15);
+  EXPECT_EQ(bench.storage.writes, 2);
+  EXPECT_LT(bench.ErrorAt(40.0), 0.01);  // the table serves all the same
+  bench.storage.fail_writes = false;
+  bench.Rest(60.0, 25.0);
+  EXPECT_FALSE(bench.corrector().store_failing());
+  Corrector reborn(Config{}, &bench.storage);
+  reborn.Boot();
+  EXPECT_EQ(ImageOf(reborn.table()), ImageOf(bench.table()));
+}
+
+TEST(CorrectorStore, RestoreThatCouldNotBeStoredIsTriedAgain) {
+  Bench bench;
+  bench.AddFactory({10, 25, 40});
+  bench.Rest(8.0, 25.0);
+  bench.storage.fail_writes = true;
+  EXPECT_FALSE(bench.corrector().RestoreFactory());
+  bench.storage.fail_writes = false;
+  bench.Shake(61.0);
+  Corrector reborn(Config{}, &bench.storage);
+  reborn.Boot();
+  EXPECT_EQ(reborn.table().size(), 3);
+}
+
+TEST(Store, MemoryThatKeepsSomethingElseNeverCostsTheGoodSlot) {
+  RamStorage storage;
+  Store store(&storage);
+  ASSERT_TRUE(store.Write(Holding(1.0f), 1));
+  storage.worn = true;
+  for (std::uint32_t i = 2; i < 5; ++i) EXPECT_FALSE(store.Write(Holding(2.0f), i));
+  Table table;
+  std::uint32_t generation = 0;
+  ASSERT_EQ(Store(&storage).Read(&table, &generation), Store::Load::kLoaded);
+  EXPECT_FLOAT_EQ(table[0].zro_dps[0], 1.0f);
 }
 
 TEST(CorrectorStore, MergesAreCommittedAtMostOnceAnHour) {
