@@ -34,6 +34,7 @@ class EventLog {
 
   std::uint32_t total() const { return put_; }  ///< records put since boot or Clear()
   std::uint32_t lost() const { return lost_; }
+  std::uint32_t passed() const { return read_; }  ///< of them, read or lost
   std::uint32_t oldest() const;  ///< seq of the oldest record kept; 0 when there is none
   std::uint32_t newest() const;
   std::uint32_t cursor() const;  ///< seq of the next record to read; newest() + 1 when all are read

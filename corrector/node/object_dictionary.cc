@@ -176,8 +176,9 @@ SdoAbort ObjectDictionary::ReadLog(std::uint16_t index, std::uint8_t sub, ByteWr
   EventLog& log = *from_.log;
   if (index == 0x2201) {
     std::uint8_t records[EventLog::kMaxRead * kLogRecordBytes];
-    records_offered_ = log.Peek(records);
-    out->PutBytes(records, records_offered_ * kLogRecordBytes);
+    const std::uint32_t n = log.Peek(records);
+    offered_to_ = log.passed() + n;
+    out->PutBytes(records, n * kLogRecordBytes);
     return SdoAbort::kNone;
   }
   switch (sub) {
@@ -195,7 +196,9 @@ SdoAbort ObjectDictionary::ReadLog(std::uint16_t index, std::uint8_t sub, ByteWr
 }
 
 void ObjectDictionary::OnUploaded(std::uint16_t index, std::uint8_t) {
-  if (index == 0x2201) from_.log->Advance(records_offered_);
+  // The ring may have overwritten some of them meanwhile, and so moved on by itself.
+  const std::uint32_t passed = from_.log->passed();
+  if (index == 0x2201 && offered_to_ > passed) from_.log->Advance(offered_to_ - passed);
 }
 
 SdoAbort ObjectDictionary::Write(std::uint16_t index, std::uint8_t sub, const std::uint8_t* bytes,

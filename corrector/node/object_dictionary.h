@@ -84,7 +84,7 @@ class ObjectDictionary final : public SdoObjects {
   std::uint32_t error_history_[kErrorHistory] = {};  // newest first
   bool frozen_ = false;
   TableImage image_;
-  std::uint32_t records_offered_ = 0;  // in the last upload of 0x2201
+  std::uint32_t offered_to_ = 0;  // log.passed() once the upload of 0x2201 under way is read
 };
 
 }  // namespace zro::node

@@ -38,6 +38,7 @@ class ObjectsTest : public testing::Test {
   void Learn() { board_.Run(6000); }
 
   Board board_;
+  std::uint32_t now_ms_ = 0;
 };
 
 TEST_F(ObjectsTest, EverySubZeroGivesTheHighestSub) {
@@ -198,6 +199,49 @@ TEST_F(ObjectsTest, LogMovesOnOnlyWhenReadToTheEnd) {
   EXPECT_EQ(Write(0x2200, 5, 1, 4), 0x06090030u);
   EXPECT_EQ(Write(0x2200, 5, kClearSignature, 4), 0u);
   EXPECT_EQ(board_.Read(0x2200, 1).data, 0u);
+}
+
+TEST_F(ObjectsTest, LogThatMovesDuringItsUploadSkipsNothing) {
+  const auto stir = [this] {  // a still cut short: one event
+    board_.Run(600);
+    for (int n = 0; n < 40; ++n) {
+      RawSample moved = board_.Next();
+      moved.accel[0] = static_cast<std::int16_t>(n % 2 ? 3000 : -3000);
+      board_.node.OnSample(moved);
+    }
+  };
+  while (board_.node.log().total() < EventLog::kCapacity) stir();
+  ASSERT_EQ(board_.Read(0x2200, 6).data, 0u);
+  board_.Read(0x2201, 0);  // begun: records 0..15
+  while (board_.node.log().total() < EventLog::kCapacity + 3) stir();
+  for (std::uint8_t toggle = 0, last = 0; !last; toggle ^= 0x10) {
+    const std::size_t before = board_.sink.frames.size();
+    board_.node.OnFrame(Frame{0x610, 8, {static_cast<std::uint8_t>(0x60 | toggle)}});
+    last = board_.sink.frames.at(before).data[0] & 1;
+  }
+  EXPECT_EQ(board_.Read(0x2200, 6).data, 16u);
+}
+
+TEST_F(ObjectsTest, StatusTellsAFailingStoreAndItsRecovery) {
+  const auto nv_state = [this] {
+    now_ms_ += 1000;
+    board_.node.OnTime(now_ms_);
+    return static_cast<int>(board_.sink.All<StatusMsg>().back().nv_state);
+  };
+  EXPECT_EQ(nv_state(), 0);
+  board_.storage.broken = true;
+  Learn();
+  EXPECT_EQ(nv_state(), 3);
+  board_.storage.broken = false;
+  EXPECT_EQ(Write(0x1010, 1, kSaveSignature, 4), 0u);
+  EXPECT_EQ(nv_state(), 0);
+  Write(0x2101, 1, TestModes::kKey, 4);
+  board_.node.OnFrame(Frame{0x610, 8, {0x21, 0x05, 0x20, 0, 20}});
+  for (std::uint8_t i = 0; i < 3; ++i) {  // one factory entry of zeros, not saved
+    const auto command = static_cast<std::uint8_t>(i % 2 << 4 | (i == 2 ? 3 : 0));
+    board_.node.OnFrame(Frame{0x610, 8, {command}});
+  }
+  EXPECT_EQ(nv_state(), 1) << "dirty, and no longer failing";
 }
 
 RC_GTEST_PROP(Garbage, NeitherCrashesNorWedgesTheNode,
