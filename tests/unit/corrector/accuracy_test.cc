@@ -159,5 +159,39 @@ TEST(Accuracy, LowSampleRatesLearnToo) {
   EXPECT_EQ(bench.Count(Code::kNew), 1);
 }
 
+class AnyRate : public testing::TestWithParam<float> {};
+
+TEST_P(AnyRate, LearnsInTheSameSeconds) {
+  const float hz = GetParam();
+  Bench bench(ConfigFor(hz, 0.005f));
+  bench.noise.gyro_dps = 0.005 * std::sqrt(0.5 * static_cast<double>(hz));
+  bench.corrector().SetDate(15000);
+  bench.AddFactory({10, 25, 40});
+  for (const double temp : {18.0, 21.0, 24.0, 27.0}) {
+    bench.Rest(6.5, temp);
+    bench.Shake(2.0, temp);
+    bench.Run(10.0, [temp](double) { return Scene{temp, {0.3, 0.0, 0.0}, 1.6}; });  // a tone
+    bench.Shake(2.0, temp);
+  }
+  EXPECT_EQ(bench.Count(Code::kNew), 4);
+  EXPECT_EQ(bench.Writes(), 4);
+  EXPECT_LT(bench.ErrorAt(22.5), 0.012);
+}
+
+INSTANTIATE_TEST_SUITE_P(Hz, AnyRate, testing::Values(25.0f, 100.0f, 400.0f, 1000.0f));
+
+TEST(Accuracy, WindowsOfAnyLengthLearn) {
+  for (const int samples : {0, 2, 100, 65535}) {
+    Config config;
+    config.sample_hz = 1000.0f;
+    config.limits.min_samples = static_cast<std::uint16_t>(samples);
+    Bench bench(config);
+    bench.noise.gyro_dps = 0.1;
+    bench.Rest(70.0, 27.0);
+    EXPECT_GE(bench.Count(Code::kNew), 1) << samples;
+    EXPECT_LT(bench.ErrorAt(27.0), 0.1) << samples;
+  }
+}
+
 }  // namespace
 }  // namespace zro

@@ -41,6 +41,14 @@ TEST(Quarantine, DisagreementStartsAnew) {
   EXPECT_EQ(q.votes(), 1);
 }
 
+TEST(Quarantine, TwoCorruptionsInTurnNeverAgree) {
+  Quarantine q(kHz);
+  for (int i = 0; i < 400; ++i) {
+    EXPECT_NE(q.Add(VoteAt(static_cast<float>(5 * i), i % 2 == 0 ? 0.2f : -0.2f)),
+              Verdict::kConfirmed);
+  }
+}
+
 TEST(Quarantine, EvidenceExpiresAfterADay) {
   Quarantine q(kHz);
   q.Add(VoteAt(0.0f, 0.2f));
