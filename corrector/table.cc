@@ -10,12 +10,11 @@ namespace {
 constexpr float kSaneDegc = 200.0f;
 constexpr float kSaneDps = 4000.0f;  // the widest full scale of any MEMS gyro
 
-/// Canonical order: by temperature; a factory entry before a learned one at the same temperature.
-bool Before(const Entry& a, const Entry& b) {
+}  // namespace
+
+bool IsBefore(const Entry& a, const Entry& b) {
   return a.temp_degc < b.temp_degc || (a.temp_degc == b.temp_degc && a.origin < b.origin);
 }
-
-}  // namespace
 
 bool IsFit(const Entry& e) {
   for (const float zro : e.zro_dps) {
@@ -82,7 +81,7 @@ bool Table::Insert(const Entry& entry) {
     Remove(oldest);
   }
   int at = size_;
-  while (at > 0 && Before(entry, entries_[at - 1])) {
+  while (at > 0 && IsBefore(entry, entries_[at - 1])) {
     entries_[at] = entries_[at - 1];
     --at;
   }

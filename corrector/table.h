@@ -91,5 +91,7 @@ class Table {
 
 /// True when an entry may stand in a table: finite, physical, known origin, weight at least 1.
 bool IsFit(const Entry& entry);
+/// Canonical order: by temperature; a factory entry before a learned one at the same temperature.
+bool IsBefore(const Entry& a, const Entry& b);
 
 }  // namespace zro

@@ -27,10 +27,6 @@ Entry GetEntry(const std::uint8_t* in) {
   return e;
 }
 
-bool InOrder(const Entry& a, const Entry& b) {
-  return a.temp_degc < b.temp_degc || (a.temp_degc == b.temp_degc && a.origin < b.origin);
-}
-
 /// Origin of a table whose entries have these: 0 none, else the highest.
 std::uint8_t Combined(std::uint8_t so_far, Origin origin) {
   const auto value = static_cast<std::uint8_t>(origin);
@@ -46,7 +42,7 @@ bool EntriesAreCanonical(const std::uint8_t* first, int count, std::uint8_t orig
   int factory = 0;
   for (int i = 0; i < count; ++i) {
     const Entry entry = GetEntry(first + static_cast<std::size_t>(i) * Table::kEntryBytes);
-    if (!IsFit(entry) || (i > 0 && !InOrder(previous, entry))) return false;
+    if (!IsFit(entry) || (i > 0 && !IsBefore(previous, entry))) return false;
     Entry& before = latest[entry.origin == Origin::kFactory ? 0 : 1];
     const int bin = table.BinOf(entry.temp_degc);
     if (before.weight > 0 && table.BinOf(before.temp_degc) == bin) return false;
