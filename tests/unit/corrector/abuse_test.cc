@@ -167,6 +167,14 @@ TEST_F(Abuse, ReadingThatATestModeTouchedIsCode16EvenWhenItEndedInTime) {
   EXPECT_THAT(bench_.Codes(), testing::ElementsAre(Code::kTestMode, Code::kNew));
 }
 
+TEST_F(Abuse, NewFactoryEntryDropsTheResidualOfTheTableBefore) {
+  bench_.Rest(7.0, 25.0, {0.05, 0.0, 0.0});
+  const float zro[3] = {};
+  ASSERT_TRUE(bench_.corrector().AddFactoryEntry(60.0f, zro, 0.005f));
+  last_ = bench_.Step(bench_.Make(Scene{}));
+  EXPECT_FLOAT_EQ(last_.zro_dps[0], bench_.table().At(25.0f).zro_dps[0]);
+}
+
 TEST_F(Abuse, FadedResidualStaysGoneWhenTheSampleIndexWraps) {
   bench_.Rest(7.0, 25.0, {0.05, 0.0, 0.0});  // within the tolerance: held as residual
   Limits limits;

@@ -135,6 +135,10 @@ TEST(Patent, Claim11_FactoryPairsStayTheReferenceBeneathLearnedOnes) {
   bench.Rest(7.0, 25.0);
   ASSERT_EQ(bench.Count(Code::kNew), 1);
   EXPECT_EQ(bench.table().size(), 4);
+  EXPECT_LT(bench.ErrorAt(39.0), 0.02);  // the learned pair alone would be 0.4 dps off
+  bench.Shake(1.0, 39.0);
+  bench.Rest(40.0, 39.0, {0.3, 0.0, 0.0});  // refused by the factory's pair
+  EXPECT_EQ(bench.Writes(), 1);
   bench.corrector().RestoreFactory();
   EXPECT_EQ(bench.table().size(), 3);
   EXPECT_EQ(bench.table()[1].origin, Origin::kFactory);

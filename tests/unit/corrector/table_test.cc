@@ -212,6 +212,15 @@ TEST(Table, InterpolatesLinesExactlyAndParabolasAcrossWideGaps) {
   EXPECT_NEAR(line.At(11.5f).zro_dps[0], 0.15f, 1e-6f);
 }
 
+TEST(Table, ThirdEntryAcrossAWideGapIsTheNearerOne) {
+  Table table;
+  for (const float t : {10.0f, 20.0f, 30.0f, 60.0f}) table.Insert(Learned(t, 0.5f));
+  EXPECT_NEAR(table.At(21.0f).model_dps, 1e-5f * 1.0f * 9.0f * 11.0f, 1e-6f);
+  Table mirrored;
+  for (const float t : {-20.0f, 10.0f, 20.0f, 30.0f}) mirrored.Insert(Learned(t, 0.5f));
+  EXPECT_NEAR(mirrored.At(19.0f).model_dps, 1e-5f * 1.0f * 9.0f * 11.0f, 1e-6f);
+}
+
 TEST(Table, ExtrapolationIsHeldBeyondItsReach) {
   Table table;
   table.Insert(Factory(20.0f, 0.2f));

@@ -200,6 +200,21 @@ TEST(Node, DateOfNewEntriesIsTheTimeStamps) {
   EXPECT_EQ(board.node.corrector().table()[0].date, 15'000);
 }
 
+TEST(Node, WhatADateDecidesIsLoggedAtOnce) {
+  Config config = ConfigFor(200.0f, 0.005f);
+  config.coverage_min_degc = 20.0f;
+  config.coverage_max_degc = 22.5f;
+  Board board(nullptr, config);
+  board.node.Boot(BootReason::kPowerOn, 0);
+  board.node.OnFrame(Encode(TimeStampMsg{0, 15'000}));
+  board.temperature = 21 * 256;
+  board.Run(1400);
+  ASSERT_TRUE(board.node.corrector().complete());
+  const std::uint32_t before = board.node.log().total();
+  board.node.OnFrame(Encode(TimeStampMsg{0, 15'100}));  // the entry is old now: re-armed
+  EXPECT_EQ(board.node.log().total(), before + 1);
+}
+
 TEST(Node, PeriodicFramesKeepTheirPeriods) {
   Board board;
   board.node.Boot(BootReason::kWatchdog, 9);
