@@ -121,6 +121,17 @@ TEST(Patent, Fig4Block44_UpdatesTheEntryAtThatTemperature) {
   EXPECT_EQ(bench.table()[0].date, kToday + 40);
 }
 
+TEST(Fig4, MergedEntryCarriesTheDayOfTheMerge) {
+  Bench bench;
+  bench.corrector().SetDate(kToday);
+  bench.Rest(7.0, 31.0);
+  bench.Shake(1.0, 31.0);
+  bench.corrector().SetDate(kToday + 10);  // neither recent nor old
+  bench.Rest(7.0, 31.0);
+  ASSERT_EQ(bench.Count(Code::kMerged), 1);
+  EXPECT_EQ(bench.table()[0].date, kToday + 10);
+}
+
 Config Covering(float from_degc, float to_degc) {
   Config config;
   config.coverage_min_degc = from_degc;

@@ -85,7 +85,10 @@ TEST(GenuineShift, IsConfirmedAfterHalfAnHourAndMovesTheWholeTable) {
   EXPECT_NEAR(bench.table().At(25.5f).zro_dps[0], test::TrueOffset(25.5)[0] + 0.2, 0.015);
   EXPECT_NEAR(bench.table().At(25.5f).zro_dps[1], test::TrueOffset(25.5)[1] - 0.15, 0.015);
   EXPECT_NEAR(bench.table().At(35.0f).zro_dps[0], before + 0.2f, 0.03f);
-  bench.corrector().RestoreFactory();  // the factory's own figures were kept
+  const int remote = bench.table().InBin(40.0f, Origin::kLearned);
+  ASSERT_GE(remote, 0);
+  EXPECT_EQ(bench.table()[remote].date, 0);  // shifted unseen: old, to be renewed by a reading
+  bench.corrector().RestoreFactory();        // the factory's own figures were kept
   EXPECT_NEAR(bench.table().At(25.0f).zro_dps[0], test::TrueOffset(25.0)[0], 0.006);
 }
 

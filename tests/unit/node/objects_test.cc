@@ -162,6 +162,24 @@ TEST_F(ObjectsTest, InjectionNeedsTheKeyAndSparesDutRaw) {
   EXPECT_LT(board_.sink.All<RawMsg>().back().raw[0], 100);
 }
 
+TEST_F(ObjectsTest, FactoryEntriesNeedTheKey) {
+  const auto download = [this] {
+    board_.node.OnFrame(Frame{0x610, 8, {0x21, 0x05, 0x20, 0, 20}});
+    std::size_t last = 0;
+    for (std::uint8_t i = 0; i < 3; ++i) {  // one entry of zeros
+      last = board_.sink.frames.size();
+      const auto command = static_cast<std::uint8_t>(i % 2 << 4 | (i == 2 ? 3 : 0));
+      board_.node.OnFrame(Frame{0x610, 8, {command}});
+    }
+    return board_.sink.frames.at(last).data[0];
+  };
+  EXPECT_EQ(download(), 0x80);
+  EXPECT_EQ(board_.node.corrector().table().size(), 0);
+  EXPECT_EQ(Write(0x2101, 1, TestModes::kKey, 4), 0u);
+  EXPECT_EQ(download(), 0x20);
+  EXPECT_EQ(board_.node.corrector().table().size(), 1);
+}
+
 TEST_F(ObjectsTest, TestModesEndWithTheRigsHeartbeat) {
   Write(0x2101, 1, TestModes::kKey, 4);
   board_.Run(300);
