@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/units.h"
+#include "rig/profile/dew_point.h"
 
 namespace zrobench {
 namespace {
@@ -35,9 +36,22 @@ Range Limited(double low, double high, const std::string& low_reason,
   return range;
 }
 
+// Wet boards drift and short: below the dew point only with dry gas.
+void ReadSetPoint(TableReader* reader, const Station& station, double* degc) {
+  if (!reader->Number("to_degc", degc, SetPointRange(station)) || station.purge) return;
+  const double ambient_degc = station.model.ambient_degc;
+  const double dew_point_degc = DewPoint_degc(ambient_degc, station.humidity_pct);
+  if (*degc >= dew_point_degc) return;
+  reader->Complain(
+      "to_degc", fmt::format("to_degc = {} is below the dew point of {:.1f} degC ({} degC, {} %RH) "
+                             "and station {} has no dry gas (purge = true)",
+                             *degc, dew_point_degc, ambient_degc, station.humidity_pct,
+                             station.path.string()));
+}
+
 Soak ReadSoak(TableReader reader, const Station& station) {
   Soak soak;
-  reader.Number("to_degc", &soak.to_degc, SetPointRange(station));
+  ReadSetPoint(&reader, station, &soak.to_degc);
   reader.Number("hold_s", &soak.hold_s, DurationRange());
   reader.Number("settled_degc", &soak.settled_degc, Range::Positive(10));
   reader.Require({"to_degc", "hold_s"});
@@ -49,7 +63,7 @@ Ramp ReadRamp(TableReader reader, const Station& station) {
   Ramp ramp;
   Range rate = Range::Positive(station.limits.max_rate_degc_per_min);
   rate.high_reason = LimitOf(station, "max_rate_degc_per_min");
-  reader.Number("to_degc", &ramp.to_degc, SetPointRange(station));
+  ReadSetPoint(&reader, station, &ramp.to_degc);
   reader.Number("rate_degc_per_min", &ramp.rate_degc_per_min, rate);
   reader.Require({"to_degc", "rate_degc_per_min"});
   reader.RefuseOtherKeys();

@@ -24,7 +24,14 @@ TEST(Plan, ASoakTakesTheWayThereAndItsHold) {
   Profile p;
   p.steps = {{Soak{30, 45, 0.3}, {}, 1}};
   EXPECT_GT(NominalDurationS(p, 20), NominalDurationS(p, 29) + 10);
-  EXPECT_DOUBLE_EQ(NominalDurationS(p, 30), 45);
+  EXPECT_DOUBLE_EQ(NominalDurationS(p, 30), 45 + 20);  // at rest: the settle window alone
+}
+
+TEST(Plan, ASoakAfterARampSettlesLongerThanOneAtRest) {
+  Profile at_rest, after_ramp;
+  at_rest.steps = {{Soak{42, 45, 0.3}, {}, 1}};
+  after_ramp.steps = {{Ramp{42, 10}, {}, 1}, {Soak{42, 45, 0.3}, {}, 2}};
+  EXPECT_GT(NominalDurationS(after_ramp, 32), 60 + NominalDurationS(at_rest, 42) + 20);
 }
 
 TEST(Plan, StimuliRunBesideTheirStep) {
