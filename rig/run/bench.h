@@ -21,8 +21,8 @@ struct Bench {
   Operator* hand = nullptr;
 };
 
-/// Makes the bench safe: speaker muted first, then the plate off; the board stays powered and
-/// readable. Tries everything even when one step fails; returns the first failure.
+/// Makes the bench safe: speaker muted first, then the plate off, then the board's supply on: it
+/// stays readable. Tries everything even when one step fails; returns the first failure.
 Status MakeSafe(Bench& bench);
 
 }  // namespace zrobench

@@ -5,14 +5,20 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rig/profile/dew_point.h"
+
 namespace zrobench {
 namespace {
 
 constexpr auto kTick = std::chrono::milliseconds(100);
 constexpr auto kPlateDeadline = std::chrono::seconds(2);
-constexpr auto kBoardDeadline = std::chrono::seconds(10);
+/// A table of 48 entries is some 170 SDO segments: half a second. While we wait nobody watches the
+/// plate, so not much longer.
+constexpr auto kBoardDeadline = std::chrono::seconds(3);
 constexpr auto kDecisionPeriod = std::chrono::seconds(5);
-constexpr auto kSilenceLimit = std::chrono::seconds(2);  ///< no frame from the board: rig fault
+constexpr auto kSnapshotPeriod = std::chrono::minutes(1);
+/// Beyond the 1.5 s after which the driver calls the board dead: 2 s without a frame in all.
+constexpr auto kSilenceLimit = std::chrono::milliseconds(500);
 constexpr double kTripMargin_degc = 10;  ///< process value beyond the set-point limits: trip
 
 Flow FromStatus(const Status& status) {
@@ -28,10 +34,10 @@ BenchLoop::BenchLoop(Bench& bench, const Station& station, RunLog& log, const St
       log_(log),
       stop_(stop),
       stimuli_(bench, log),
-      target_degc_(station.model.ambient_degc),
       next_second_(bench.clock.now()),
       next_decisions_(bench.clock.now() + kDecisionPeriod),
-      last_alive_(bench.clock.now()) {}
+      last_alive_(bench.clock.now()),
+      next_snapshot_(bench.clock.now() + kSnapshotPeriod) {}
 
 Flow BenchLoop::RunUntil(Instant until) {
   while (now() < until) {
@@ -58,21 +64,21 @@ Flow BenchLoop::EverySecond() {
   const auto reading = bench_.plate.Read(now() + kPlateDeadline);
   if (!reading) return Stop(Halt::Why::kRigFault, reading.error().message);
   plate_ = *reading;
-  double ambient_degc = station_.model.ambient_degc;
-  if (bench_.environment) {
-    if (const auto air = bench_.environment->Read(now() + kPlateDeadline)) {
-      ambient_degc = air->ambient_degc;
-    }
-  }
   log_.Write(PlateItem{log_.now_us(), plate_.setpoint_degc, plate_.process_degc, plate_.drive_pct,
-                       ambient_degc});
+                       ReadAir()});
+  if (now() >= next_snapshot_) {
+    next_snapshot_ += kSnapshotPeriod;
+    log_.WriteSnapshot();
+  }
   if (auto flow = FromStatus(bench_.board.SendHeartbeat()); !flow) return flow;
   return Watch();
 }
 
 Flow BenchLoop::Watch() {
-  const Status& record = log_.recorder().status();
-  if (!record) return Stop(Halt::Why::kRigFault, record.error().message);
+  if (const Status record = log_.recorder().Flush(); !record) {
+    return Stop(Halt::Why::kRigFault, record.error().message);
+  }
+  WatchBoots();
   if (!std::isfinite(plate_.process_degc) ||
       plate_.process_degc > station_.limits.max_degc + kTripMargin_degc ||
       plate_.process_degc < station_.limits.min_degc - kTripMargin_degc) {
@@ -88,22 +94,50 @@ Flow BenchLoop::Watch() {
   return {};
 }
 
+void BenchLoop::WatchBoots() {
+  const std::uint32_t boots = bench_.board.status().boots_seen;
+  if (boots != boots_ && !boot_expected_ && !silence_expected_) {
+    log_.Alarm("the board rebooted on its own: check its supply");
+  }
+  boots_ = boots;
+}
+
+double BenchLoop::ReadAir() {
+  Environment::Reading air{station_.model.ambient_degc, station_.humidity_pct};
+  if (bench_.environment) air = bench_.environment->Read(now() + kPlateDeadline).value_or(air);
+  dew_point_degc_ = DewPoint_degc(air.ambient_degc, air.humidity_pct);
+  return air.ambient_degc;
+}
+
+Flow BenchLoop::RefuseCondensation(double degc) const {
+  if (station_.purge || !dew_point_degc_ || degc >= *dew_point_degc_) return {};
+  return Stop(
+      Halt::Why::kSafetyTrip,
+      fmt::format("set point {:.1f} degC is below the dew point of {:.1f} degC: it takes dry "
+                  "gas (purge = true)",
+                  degc, *dew_point_degc_));
+}
+
 Flow BenchLoop::CheckStop() const {
   const int level = stop_.level.load(std::memory_order_relaxed);
-  if (level >= 2 || (level == 1 && !stimuli_.playing())) {
+  const bool safe_point = !stimuli_.playing() && !silence_expected_;
+  if (level >= 2 || (level == 1 && safe_point)) {
     return Stop(Halt::Why::kInterrupted, "stopped on request");
   }
   return {};
 }
 
 Flow BenchLoop::SetTarget(double degc) {
+  if (auto flow = RefuseCondensation(degc); !flow) return flow;
   target_degc_ = degc;
   return FromStatus(bench_.plate.SetTarget(degc, now() + kPlateDeadline));
 }
 
 Flow BenchLoop::StartRamp(double to_degc, double rate_degc_per_min) {
-  const double sign = to_degc >= target_degc_ ? 1 : -1;
-  ramp_ = RampPlan{target_degc_, to_degc, sign * rate_degc_per_min / 60, now()};
+  // Before the first set point the plate is where it is.
+  const double from_degc = target_degc_.value_or(plate_.process_degc);
+  const double sign = to_degc >= from_degc ? 1 : -1;
+  ramp_ = RampPlan{from_degc, to_degc, sign * rate_degc_per_min / 60, now()};
   return {};
 }
 
@@ -118,13 +152,14 @@ Flow BenchLoop::FollowRamp() {
 }
 
 std::optional<double> BenchLoop::board_degc() const {
-  if (silence_expected_ || log_.snapshot().samples == 0) return std::nullopt;
+  if (silence_expected_ || !log_.snapshot().imu_degc_seen) return std::nullopt;
   return log_.snapshot().imu_degc;
 }
 
 void BenchLoop::ExpectSilence(bool silent) {
   silence_expected_ = silent;
   last_alive_ = now();
+  boots_ = bench_.board.status().boots_seen;
 }
 
 Flow BenchLoop::ReadDecisions() {
@@ -135,12 +170,24 @@ Flow BenchLoop::ReadDecisions() {
   return {};
 }
 
-Result<TableItem> BenchLoop::ReadTable(std::uint8_t when) {
-  const auto table = bench_.board.ReadTable(now() + kBoardDeadline);
-  if (!table) return tl::unexpected(table.error());
-  TableItem item{log_.now_us(), when, table->crc32, table->image};
-  log_.Write(item);
-  return item;
+void BenchLoop::ExpectBoot(bool expected) {
+  boot_expected_ = expected;
+  boots_ = bench_.board.status().boots_seen;
+}
+
+Result<TableSnapshot> BenchLoop::PeekTable() {
+  return bench_.board.ReadTable(now() + kBoardDeadline);
+}
+
+void BenchLoop::Record(std::uint8_t when, const TableSnapshot& table) {
+  log_.Write(TableItem{log_.now_us(), when, table.crc32, table.image});
+}
+
+Flow BenchLoop::ReadTable(std::uint8_t when) {
+  const auto table = PeekTable();
+  if (!table) return Stop(Halt::Why::kRigFault, table.error().message);
+  Record(when, *table);
+  return {};
 }
 
 }  // namespace zrobench

@@ -36,12 +36,18 @@ class BenchLoop {
   /// Board temperature as the bus last showed it; absent while the board is silent.
   std::optional<double> board_degc() const;
 
-  /// The board is meant to be silent (power off): no watch over its frames.
+  /// The board is meant to be silent (power off) and to boot after it: no watch over its frames.
   void ExpectSilence(bool silent);
+  /// A boot-up message is meant to come; when it came (false), any other is an alarm.
+  void ExpectBoot(bool expected);
   /// Takes the board's new decisions into the record.
   Flow ReadDecisions();
-  /// Reads the board's table into the record; `when` as in TableItem.
-  Result<TableItem> ReadTable(std::uint8_t when);
+  /// The board's table, not recorded.
+  Result<TableSnapshot> PeekTable();
+  /// Writes a table just read into the record; `when` as in TableItem.
+  void Record(std::uint8_t when, const TableSnapshot& table);
+  /// Both.
+  Flow ReadTable(std::uint8_t when);
 
  private:
   struct RampPlan {
@@ -52,6 +58,9 @@ class BenchLoop {
   Flow EverySecond();
   Flow FollowRamp();
   Flow Watch();
+  void WatchBoots();
+  Flow RefuseCondensation(double degc) const;
+  double ReadAir();
   Flow CheckStop() const;
 
   Bench& bench_;
@@ -61,11 +70,15 @@ class BenchLoop {
   StimulusPlayer stimuli_;
   ThermalPlate::Reading plate_;
   std::optional<RampPlan> ramp_;
-  double target_degc_;
+  std::optional<double> target_degc_;  ///< absent until the first set point
+  std::optional<double> dew_point_degc_;
   Instant next_second_{};
   Instant next_decisions_{};
   Instant last_alive_{};
+  Instant next_snapshot_{};
   bool silence_expected_ = false;
+  bool boot_expected_ = false;
+  std::uint32_t boots_ = 0;
 };
 
 }  // namespace zrobench

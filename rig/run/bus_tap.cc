@@ -1,8 +1,11 @@
 #include "rig/run/bus_tap.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "corrector/node/codec.h"
+#include "rig/run/evidence.h"
 
 namespace zrobench {
 namespace {
@@ -48,20 +51,37 @@ bool BusTap::TakePart(const CanFrame& frame, std::uint64_t at_us) {
 }
 
 void BusTap::StartSample(std::uint64_t at_us, std::uint8_t seq) {
-  if (parts_ != 0) {  // the one before never got all its parts
-    ++incomplete_;
-    log_.Alarm("frames lost: a sample came without its DUT_ACC or DUT_RATE");
-    FinishSample();
-  }
+  if (parts_ != 0) FinishSample();  // the one before never got all its parts
+  TellIncomplete(at_us);
   sample_ = {};
   sample_.at_us = at_us;
   sample_.seq = seq;
 }
 
 void BusTap::FinishSample() {
+  const bool complete = parts_ == kAll;
   parts_ = 0;
   log_.WriteSample(sample_);
-  AddToMean(sample_);
+  incomplete_ += complete ? 0 : 1;
+  if (complete) AddToMean(sample_);
+  WriteHeld();
+}
+
+void BusTap::TellIncomplete(std::uint64_t at_us) {
+  if (incomplete_ == incomplete_told_ || at_us < next_alarm_us_) return;
+  log_.Alarm(fmt::format("{}{} samples came without their DUT_ACC or DUT_RATE", kInputsLost,
+                         incomplete_ - incomplete_told_));
+  incomplete_told_ = incomplete_;
+  next_alarm_us_ = at_us + kSecond_us;
+}
+
+void BusTap::Finish() {
+  parts_ = 0;
+  WriteHeld();
+  TellIncomplete(next_alarm_us_);
+}
+
+void BusTap::WriteHeld() {
   for (const BusFrame& frame : held_) log_.Write(frame);
   held_.clear();
 }
@@ -78,6 +98,11 @@ void BusTap::TakeOther(const CanFrame& frame, std::uint64_t at_us) {
     log_.Write(item);
     return;
   }
+  if (HeartbeatMsg beat; Decode(frame.frame, &beat) && beat.id == HeartbeatMsg::kNodeId &&
+                         beat.state == kStateBootUp) {
+    parts_ = 0;  // the life before ended within a sample: nobody will ever see the rest of it
+    WriteHeld();
+  }
   BusFrame item{at_us, frame.frame.id, frame.frame.dlc, frame.own, {}};
   std::copy_n(frame.frame.data, 8, item.data.begin());
   if (parts_ != 0) {
@@ -88,6 +113,7 @@ void BusTap::TakeOther(const CanFrame& frame, std::uint64_t at_us) {
 }
 
 void BusTap::AddToMean(const ImuSample& sample) {
+  if (!imu_degc_) return;
   const std::uint64_t second = sample.at_us / kSecond_us;
   if (second != sums_.second && sums_.n > 0) {
     const double n = sums_.n;
@@ -109,7 +135,7 @@ void BusTap::AddToMean(const ImuSample& sample) {
     sums_.rate[axis] += sample.rate[axis] / 256.0;
     sums_.accel[axis] += sample.accel[axis] / 8000.0;
   }
-  sums_.temperature += imu_degc_;
+  sums_.temperature += *imu_degc_;
   ++sums_.n;
 }
 

@@ -2,6 +2,7 @@
 // Turns the bus's frames into record items, in bus order, and adds the means over each second.
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "drivers/imu/imu_board.h"
@@ -10,12 +11,18 @@
 namespace zrobench {
 
 /// RAW, ACC and RATE of one sample become one ImuSample when the last of them is there. Other
-/// frames that fall between them are written after it: the board handles them after the sample.
+/// frames that fall between them are written after it: the board handles them after the sample. A
+/// sample without its ACC or RATE is written with zeros there, raises an alarm (kInputsLost, one a
+/// second at most) and stays out of the means.
 class BusTap final : public FrameListener {
  public:
-  /// `sample_hz` is the station's; `log` is borrowed.
+  /// `log` is borrowed.
   explicit BusTap(RunLog& log) : log_(log) {}
   void OnFrame(const CanFrame& frame) override;
+
+  /// After the last frame: what still waits for a sample's end goes into the record. A sample that
+  /// was cut off (the supply went) is left out.
+  void Finish();
 
   /// Samples of which a part (ACC or RATE) never came: inputs of the corrector are missing.
   std::uint64_t incomplete_samples() const { return incomplete_; }
@@ -26,6 +33,8 @@ class BusTap final : public FrameListener {
   bool TakePart(const CanFrame& frame, std::uint64_t at_us);
   void StartSample(std::uint64_t at_us, std::uint8_t seq);
   void FinishSample();
+  void WriteHeld();
+  void TellIncomplete(std::uint64_t at_us);
   void TakeOther(const CanFrame& frame, std::uint64_t at_us);
   void AddToMean(const ImuSample& sample);
 
@@ -34,6 +43,8 @@ class BusTap final : public FrameListener {
   std::uint8_t parts_ = 0;
   std::vector<BusFrame> held_;
   std::uint64_t incomplete_ = 0;
+  std::uint64_t incomplete_told_ = 0;
+  std::uint64_t next_alarm_us_ = 0;
 
   struct Sums {
     std::uint64_t second = 0;
@@ -41,7 +52,7 @@ class BusTap final : public FrameListener {
     double temperature = 0;
     std::uint32_t n = 0;
   } sums_;
-  double imu_degc_ = 0;
+  std::optional<double> imu_degc_;  ///< absent until the first DUT_TIME
 };
 
 }  // namespace zrobench

@@ -25,10 +25,7 @@ class Gatherer {
     }
     last_seq_ = s.seq;
   }
-  void operator()(const ImuTime& t) {
-    // Device time runs from the boot: the first pair after a boot ties it to ours.
-    if (!boot_us_) boot_us_ = t.at_us - t.device_us;
-  }
+  void operator()(const ImuTime& t) { last_time_ = t; }
   void operator()(const BusFrame& f) {
     zro::node::Frame frame{f.id, f.dlc, {}};
     std::copy_n(f.data.begin(), 8, frame.data);
@@ -41,13 +38,16 @@ class Gatherer {
   }
   void operator()(const LogItem& item) {
     const auto record = ParseDecision(item.bytes);
-    if (!record) return;
+    if (!record) {
+      ++evidence_.decisions_lost;
+      if (last_log_seq_) ++*last_log_seq_;
+      return;
+    }
     if (last_log_seq_ && record->seq > *last_log_seq_ + 1) {
       evidence_.decisions_lost += record->seq - *last_log_seq_ - 1;
     }
     last_log_seq_ = record->seq;
-    evidence_.decisions.push_back(
-        {boot_us_.value_or(item.at_us - record->device_us) + record->device_us, *record});
+    evidence_.decisions.push_back({HostTime(item.at_us, record->device_us), *record});
   }
   void operator()(const MeanItem& m) { evidence_.seconds.push_back({m, false}); }
   void operator()(const TableItem& t) { evidence_.tables.push_back(t); }
@@ -72,32 +72,44 @@ class Gatherer {
  private:
   void OnBoot() {
     last_seq_.reset();
-    boot_us_.reset();
+    last_time_.reset();
     last_log_seq_.reset();
+  }
+  /// The newest pair of times ties the device's clock to ours, so that drift does not add up; the
+  /// signed difference stands the wrap of 32 bits of microseconds (every 71.6 min).
+  std::uint64_t HostTime(std::uint64_t read_at_us, std::uint32_t device_us) const {
+    if (!last_time_) return read_at_us;
+    const auto since = static_cast<std::int32_t>(device_us - last_time_->device_us);
+    const auto at = static_cast<std::int64_t>(last_time_->at_us) + since;
+    return static_cast<std::uint64_t>(std::max<std::int64_t>(at, 0));
   }
   void Open(const EventItem& e, std::string kind) {
     evidence_.stimuli.push_back({e.at_us, 0, std::move(kind)});
   }
-  void CloseLast(const EventItem& e) {
-    if (!evidence_.stimuli.empty()) evidence_.stimuli.back().last_us = e.at_us;
+  void Close(const EventItem& e, const std::string& kind) {
+    for (Interval& open : evidence_.stimuli) {
+      if (open.last_us != 0 || open.kind != kind) continue;
+      open.last_us = e.at_us;
+      return;
+    }
   }
   void OnEvent(const EventItem& e) {
     using Kind = EventItem::Kind;
     if (e.kind == Kind::kStimulusBegin) Open(e, e.text);
-    if (e.kind == Kind::kStimulusEnd) CloseLast(e);
+    if (e.kind == Kind::kStimulusEnd) Close(e, e.text);
     if (e.kind == Kind::kPower && e.a == 0) {
       Open(e, "off");
-      evidence_.nv_clean_before_cut = evidence_.nv_clean_before_cut && nv_state_ == kNvClean;
+      evidence_.cuts.push_back({e.at_us, nv_state_ == kNvClean});
     }
-    if (e.kind == Kind::kPower && e.a != 0) CloseLast(e);
+    if (e.kind == Kind::kPower && e.a != 0) Close(e, "off");
     if (e.kind == Kind::kAlarm) evidence_.alarms.push_back(e.text);
-    if (e.kind == Kind::kAlarm && e.text.starts_with("frames lost")) ++evidence_.inputs_incomplete;
+    if (e.kind == Kind::kAlarm && e.text.starts_with(kInputsLost)) ++evidence_.inputs_lost;
     if (e.kind == Kind::kRunEnd) evidence_.completed = e.text == "completed";
   }
 
   Evidence evidence_;
   std::optional<std::uint8_t> last_seq_;
-  std::optional<std::uint64_t> boot_us_;
+  std::optional<ImuTime> last_time_;
   std::optional<std::uint32_t> last_log_seq_;
   std::uint8_t nv_state_ = kNvClean;
 };

@@ -14,6 +14,9 @@
 
 namespace zrobench {
 
+/// Begins every alarm that says: inputs of the corrector are missing from the record.
+inline constexpr std::string_view kInputsLost = "inputs lost: ";
+
 struct Interval {
   std::uint64_t first_us = 0, last_us = 0;
   std::string kind;  ///< "tone", "move hand_held", "off"
@@ -32,6 +35,12 @@ struct Second {
   bool quiet = false;
 };
 
+/// The supply was cut. `clean`: DUT_STATUS, when last seen, said that nothing waited to be stored.
+struct PowerCut {
+  std::uint64_t at_us = 0;
+  bool clean = true;
+};
+
 /// A decision of the board with the host time at which it was taken.
 struct TimedDecision {
   std::uint64_t at_us = 0;
@@ -44,13 +53,13 @@ struct Evidence {
   std::vector<TimedDecision> decisions;  ///< in the order read, every boot's
   std::vector<TableItem> tables;
   std::uint64_t samples = 0;
-  std::uint64_t samples_lost = 0;  ///< by the sequence byte
-  std::uint64_t inputs_incomplete = 0;
-  std::uint64_t decisions_lost = 0;  ///< missing sequence numbers in the board's log
+  std::uint64_t samples_lost = 0;    ///< by the sequence byte
+  std::uint64_t inputs_lost = 0;     ///< alarms that say so (kInputsLost)
+  std::uint64_t decisions_lost = 0;  ///< missing sequence numbers and damaged records in its log
   std::uint64_t first_us = 0, last_us = 0;
   std::vector<std::string> alarms;
-  bool nv_clean_before_cut = true;  ///< DUT_STATUS said "clean" when last seen before a power cut
-  bool completed = false;           ///< the record holds its end, and the run its whole profile
+  std::vector<PowerCut> cuts;
+  bool completed = false;  ///< the record holds its end, and the run its whole profile
 };
 
 /// kFile when the record cannot be read. A record cut short is read as far as it goes.

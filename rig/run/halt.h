@@ -11,6 +11,7 @@ struct Halt {
     kInterrupted,  ///< a person asked (SIGINT, SIGTERM)
     kRigFault,     ///< an instrument or its link failed
     kSafetyTrip,   ///< a limit was passed: the bench was made safe on purpose
+    kInternal,     ///< a bug of this program: an exception came out of the sequence
   };
   Why why = Why::kRigFault;
   std::string text;
@@ -22,7 +23,8 @@ inline tl::unexpected<Halt> Stop(Halt::Why why, std::string text) {
   return tl::unexpected<Halt>(Halt{why, std::move(text)});
 }
 
-/// Asked from a signal handler. 1 = at the next safe point (end of a stimulus or step), 2 = now.
+/// Asked from a signal handler. 1 = at the next safe point: no stimulus plays and the board has its
+/// supply. 2 = now.
 struct StopRequest {
   std::atomic<int> level{0};
   std::atomic<int> signal{0};

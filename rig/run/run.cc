@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <exception>
 #include <utility>
 #include <vector>
 
@@ -50,7 +51,9 @@ Flow Drive(const RunRequest& request, Instruments& instruments, Recorder& record
   Bench bench{instruments.clock, instruments.plate,       instruments.speaker, board,
               instruments.power, instruments.environment, instruments.hand};
   BenchLoop loop(bench, request.station, log, request.stop);
-  return Sequencer(request.profile, loop).Execute();
+  const Flow flow = Sequencer(request.profile, loop).Execute();
+  tap.Finish();
+  return flow;
 }
 
 /// What a halted run did not show cannot be held against the device.
@@ -60,6 +63,47 @@ void ExcuseTheDevice(const Halt& halt, std::vector<CheckResult>& checks) {
     check.verdict = rig ? Verdict::kRigError : Verdict::kInconclusive;
     check.reason = (rig ? "rig fault: " : "the run ended early: ") + halt.text;
   }
+}
+
+/// What a record without its end shows nobody can hold against the device.
+void ExcuseUnfinished(std::vector<CheckResult>& checks) {
+  for (CheckResult& check : checks) {
+    check.verdict = Verdict::kInconclusive;
+    check.reason = "the record does not hold the run's end";
+  }
+}
+
+std::vector<CheckResult> JudgeEvidence(const Result<Evidence>& evidence,
+                                       const std::filesystem::path& record, const Profile& profile,
+                                       const Station& station) {
+  std::vector<CheckResult> checks;
+  for (const Expectation& expect : profile.expects) {
+    if (evidence) {
+      checks.push_back(RunCheck(expect, {*evidence, station, record}));
+    } else {
+      checks.push_back({.check = expect.check,
+                        .about = {},
+                        .verdict = Verdict::kRigError,
+                        .reason = evidence.error().message,
+                        .measurements = {}});
+    }
+  }
+  if (evidence && !evidence->completed) ExcuseUnfinished(checks);
+  return checks;
+}
+
+/// Judging must not lose the run: a bug there is one more way to end.
+Flow JudgeInto(const RunRequest& request, const std::filesystem::path& record, Flow flow,
+               RunOutcome& outcome) {
+  try {
+    const auto evidence = GatherEvidence(record);
+    if (evidence) outcome.alarms = evidence->alarms;
+    outcome.manifest.checks = JudgeEvidence(evidence, record, request.profile, request.station);
+  } catch (const std::exception& bug) {
+    if (flow) flow = Stop(Halt::Why::kInternal, bug.what());
+  }
+  if (!flow) ExcuseTheDevice(flow.error(), outcome.manifest.checks);
+  return flow;
 }
 
 Verdict Overall(const std::vector<CheckResult>& checks) {
@@ -72,24 +116,12 @@ Verdict Overall(const std::vector<CheckResult>& checks) {
 
 std::vector<CheckResult> JudgeRecord(const std::filesystem::path& record, const Profile& profile,
                                      const Station& station) {
-  std::vector<CheckResult> checks;
-  const auto evidence = GatherEvidence(record);
-  for (const Expectation& expect : profile.expects) {
-    if (evidence) {
-      checks.push_back(RunCheck(expect, {*evidence, station, record}));
-    } else {
-      checks.push_back({.check = expect.check,
-                        .about = {},
-                        .verdict = Verdict::kRigError,
-                        .reason = evidence.error().message,
-                        .measurements = {}});
-    }
-  }
-  return checks;
+  return JudgeEvidence(GatherEvidence(record), record, profile, station);
 }
 
 int ExitCode(const std::vector<CheckResult>& checks, const Flow& flow, int signal) {
   if (!flow && flow.error().why == Halt::Why::kInterrupted) return signal != 0 ? 128 + signal : 130;
+  if (!flow && flow.error().why == Halt::Why::kInternal) return 70;
   if (!flow && flow.error().why == Halt::Why::kSafetyTrip) return 6;
   if (!flow) return 3;
   const Verdict verdict = Overall(checks);
@@ -97,6 +129,17 @@ int ExitCode(const std::vector<CheckResult>& checks, const Flow& flow, int signa
   if (verdict == Verdict::kFail) return 1;
   return verdict == Verdict::kInconclusive ? 4 : 0;
 }
+
+namespace {
+
+void Conclude(const Flow& flow, int signal, RunManifest& manifest) {
+  if (!flow) manifest.reason = flow.error().text;
+  manifest.exit_code = ExitCode(manifest.checks, flow, signal);
+  const bool rig = manifest.exit_code == 3;  // also where no check is there to say so
+  manifest.verdict = rig ? Verdict::kRigError : Overall(manifest.checks);
+}
+
+}  // namespace
 
 Result<RunOutcome> ExecuteRun(const RunRequest& request, Instruments& instruments) {
   const RealClock real;
@@ -117,17 +160,17 @@ Result<RunOutcome> ExecuteRun(const RunRequest& request, Instruments& instrument
   if (const Status closed = (*recorder)->Close(); !closed && flow) {
     flow = Stop(Halt::Why::kRigFault, closed.error().message);
   }
-  manifest.checks = JudgeRecord(folder->record_path(), request.profile, request.station);
-  if (!flow) {
-    ExcuseTheDevice(flow.error(), manifest.checks);
-    manifest.reason = flow.error().text;
+  RunOutcome outcome{std::move(manifest), folder->path(), {}};
+  flow = JudgeInto(request, folder->record_path(), std::move(flow), outcome);
+  outcome.manifest.ended = instruments.clock.utc();
+  outcome.manifest.real_s = SecondsOf(real.now());
+  Conclude(flow, request.stop.signal.load(), outcome.manifest);
+  if (const Status kept = folder->WriteManifest(outcome.manifest); !kept && flow) {
+    flow = Stop(Halt::Why::kRigFault, kept.error().message);
+    ExcuseTheDevice(flow.error(), outcome.manifest.checks);
+    Conclude(flow, 0, outcome.manifest);
   }
-  manifest.verdict = Overall(manifest.checks);
-  manifest.exit_code = ExitCode(manifest.checks, flow, request.stop.signal.load());
-  manifest.ended = instruments.clock.utc();
-  manifest.real_s = SecondsOf(real.now());
-  if (auto ok = folder->WriteManifest(manifest); !ok) return tl::unexpected(ok.error());
-  return RunOutcome{manifest, folder->path()};
+  return outcome;
 }
 
 }  // namespace zrobench

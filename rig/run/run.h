@@ -41,6 +41,7 @@ struct RunRequest {
 struct RunOutcome {
   RunManifest manifest;  ///< as written to run.json
   std::filesystem::path folder;
+  std::vector<std::string> alarms;  ///< of the record: what the rig complained about, in order
 };
 
 /// Blocks for the whole run (in the instruments' clock). The bench is safe when it returns. An

@@ -34,6 +34,8 @@ class RunLog {
     Reduce(snapshot_, item);
     if (observer_) observer_->OnItem(item, snapshot_);
   }
+  /// The state so far, where late readers may begin.
+  void WriteSnapshot() { recorder_.Write(SnapshotItem{now_us(), ToJson(snapshot_)}); }
   void WriteEvent(EventItem event) {
     event.at_us = now_us();
     event.step = step_;

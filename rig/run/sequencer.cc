@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <exception>
+
+#include "rig/run/evidence.h"
 #include "rig/run/steps.h"
 
 namespace zrobench {
@@ -9,10 +12,31 @@ namespace {
 
 constexpr double kAliveTimeout_s = 5;
 constexpr int kStartTries = 3;
+constexpr std::uint8_t kTableAtStart = 0, kTableAtEnd = 3;  ///< TableItem::when
 
 Flow FromStatus(const Status& status) {
   if (status) return {};
   return Stop(Halt::Why::kRigFault, status.error().message);
+}
+
+/// A bug must not leave the bench hot or loud: it becomes a reason to halt like any other.
+template <typename Part>
+Flow Guarded(Part part) {
+  try {
+    return part();
+  } catch (const std::exception& bug) {
+    return Stop(Halt::Why::kInternal, bug.what());
+  }
+}
+
+/// What a bench that could not be made safe does to how the run ended.
+Flow Unsafe(Flow flow, const std::string& why) {
+  const std::string text = "the bench could not be made safe: " + why;
+  if (flow || flow.error().why == Halt::Why::kInterrupted) {
+    return Stop(Halt::Why::kRigFault, text);
+  }
+  flow.error().text += "; " + text;
+  return flow;
 }
 
 /// Boots the board afresh and dates it: from here on every input of the corrector is on record.
@@ -20,30 +44,40 @@ Flow Reboot(BenchLoop& loop) {
   const std::uint32_t boots = loop.bench().board.status().boots_seen;
   if (auto flow = FromStatus(loop.bench().board.Reset()); !flow) return flow;
   const Instant give_up = loop.now() + FromSeconds(kAliveTimeout_s);
+  loop.ExpectBoot(true);
   while (loop.bench().board.status().boots_seen == boots) {
     if (loop.now() > give_up) {
       return Stop(Halt::Why::kRigFault, "the board does not answer a reset");
     }
     if (auto flow = loop.Tick(); !flow) return flow;
   }
+  loop.ExpectBoot(false);
   return FromStatus(loop.bench().board.SendDate(loop.bench().clock.utc()));
 }
 
 }  // namespace
 
 Flow Sequencer::Execute() {
-  Flow flow = Begin();
-  if (flow) flow = RunSteps();
-  const Status quiet = loop_.stimuli().Abort();
-  const Status safe = MakeSafe(loop_.bench());
-  for (const Status& status : {quiet, safe}) {
-    if (!status) loop_.log().Alarm("making the bench safe: " + status.error().message);
-  }
-  if (flow) flow = End();
+  Flow flow = Guarded([this] {
+    Flow begun = Begin();
+    return begun ? RunSteps() : begun;
+  });
+  // MakeSafe mutes once more: a stimulus that could not be ended here is no reason by itself.
+  static_cast<void>(Guarded([this] { return FromStatus(loop_.stimuli().Abort()); }));
+  const Flow safe = Guarded([this] { return FromStatus(MakeSafe(loop_.bench())); });
+  if (flow && safe) flow = Guarded([this] { return End(); });
+  if (!safe) flow = Unsafe(std::move(flow), safe.error().text);
+  const Flow closed = Guarded([&] {
+    WriteEnd(flow);
+    return Flow{};
+  });
+  return flow ? closed : flow;
+}
+
+void Sequencer::WriteEnd(const Flow& flow) {
   if (!flow && flow.error().why != Halt::Why::kInterrupted) loop_.log().Alarm(flow.error().text);
   loop_.log().WriteEvent(
       {.kind = EventItem::Kind::kRunEnd, .text = flow ? "completed" : flow.error().text});
-  return flow;
 }
 
 Flow Sequencer::Begin() {
@@ -53,23 +87,33 @@ Flow Sequencer::Begin() {
   // Safe state first, rehearsed before the first stimulus.
   if (auto flow = FromStatus(MakeSafe(loop_.bench())); !flow) return flow;
   const Instant give_up = loop_.now() + FromSeconds(kAliveTimeout_s);
-  while (!loop_.bench().board.status().alive) {
+  loop_.ExpectBoot(true);  // making safe gives the board its supply
+  do {                     // one tick at least: plate and air are read before anything moves
     if (loop_.now() > give_up) {
       return Stop(Halt::Why::kRigFault,
                   "no frame from the board: check its supply and the CAN bus");
     }
     if (auto flow = loop_.Tick(); !flow) return flow;
-  }
-  // The table that the board boots with must be known: read, reboot, and read again.
+  } while (!loop_.bench().board.status().alive);
+  loop_.ExpectBoot(false);
+  return KnowTheStart();
+}
+
+Flow Sequencer::KnowTheStart() {
+  // What the board holds now may not be what it boots with: merges may wait in its RAM. Only a
+  // table that outlived a boot is recorded as the start.
   std::vector<std::uint8_t> before;
   for (int i = 0; i < kStartTries; ++i) {
-    const auto table = loop_.ReadTable(0);
+    const auto table = loop_.PeekTable();
     if (!table) return Stop(Halt::Why::kRigFault, table.error().message);
-    if (i > 0 && table->image == before) return {};
+    if (i > 0 && table->image == before) {
+      loop_.Record(kTableAtStart, *table);
+      return {};
+    }
     before = table->image;
     if (auto flow = Reboot(loop_); !flow) return flow;
   }
-  loop_.log().Note("the board's table changed at every reboot: its start is not known");
+  loop_.log().Alarm(std::string(kInputsLost) + "the board's table changed at every reboot");
   return {};
 }
 
@@ -96,17 +140,14 @@ Flow Sequencer::FinishStimuli() {
   }
   if (const int waiting = loop_.stimuli().waiting(); waiting > 0) {
     loop_.log().Alarm(
-        fmt::format("{} stimulus of this step never began: its temperature was not "
-                    "passed",
-                    waiting));
+        fmt::format("{} of this step's stimuli never began: the step was over first", waiting));
   }
   return {};
 }
 
 Flow Sequencer::End() {
   if (auto flow = loop_.ReadDecisions(); !flow) return flow;
-  const auto table = loop_.ReadTable(3);
-  return table ? Flow{} : Stop(Halt::Why::kRigFault, table.error().message);
+  return loop_.ReadTable(kTableAtEnd);
 }
 
 }  // namespace zrobench

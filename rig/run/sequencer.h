@@ -9,15 +9,18 @@ class Sequencer {
  public:
   Sequencer(const Profile& profile, BenchLoop& loop) : profile_(profile), loop_(loop) {}
 
-  /// Runs every step; on every way out the last stimulus is ended and the bench made safe.
+  /// Runs every step; on every way out, exceptions included, stimuli are ended and the bench is
+  /// made safe. A bench that cannot be made safe is a rig fault.
   Flow Execute();
   int steps_completed() const { return steps_completed_; }
 
  private:
   Flow Begin();
+  Flow KnowTheStart();
   Flow RunSteps();
   Flow FinishStimuli();
   Flow End();
+  void WriteEnd(const Flow& flow);
 
   const Profile& profile_;
   BenchLoop& loop_;

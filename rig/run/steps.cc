@@ -13,6 +13,7 @@ constexpr double kRampBand_degc = 0.5;  ///< a ramp is over when the plate is th
 constexpr double kRampTimeout_s = 600;  ///< beyond the ramp's own time
 constexpr double kBootTimeout_s = 10;
 constexpr double kBootPoll_s = 0.1;
+constexpr std::uint8_t kTableBeforeCut = 1, kTableAfterBoot = 2;  ///< TableItem::when
 
 struct Describer {
   std::string operator()(const Soak& s) const {
@@ -33,9 +34,9 @@ struct Describer {
   }
 };
 
-/// A stimulus as a step of its own: played at once, the step lasts as long as it does.
+/// A stimulus as a step of its own, beside those that the step lists: played at once.
 Flow PlayAlone(BenchLoop& loop, const Stimulus& stimulus) {
-  loop.stimuli().Schedule({stimulus});
+  loop.stimuli().Add(stimulus);
   do {
     if (auto flow = loop.Tick(); !flow) return flow;
   } while (loop.stimuli().playing());
@@ -75,7 +76,7 @@ Flow RunStep(BenchLoop& loop, const Soak& soak) {
 }
 
 Flow RunStep(BenchLoop& loop, const Ramp& ramp) {
-  const double span = std::abs(ramp.to_degc - loop.plate().setpoint_degc);
+  const double span = std::abs(ramp.to_degc - loop.plate().process_degc);
   const Instant give_up =
       loop.now() + FromSeconds(span / ramp.rate_degc_per_min * 60 + kRampTimeout_s);
   if (auto flow = loop.StartRamp(ramp.to_degc, ramp.rate_degc_per_min); !flow) return flow;
@@ -106,9 +107,7 @@ Flow RunStep(BenchLoop& loop, const PowerCycle& cycle) {
     return {};
   }
   if (auto flow = loop.ReadDecisions(); !flow) return flow;  // the log lives in the board's RAM
-  if (const auto table = loop.ReadTable(1); !table) {
-    return Stop(Halt::Why::kRigFault, table.error().message);
-  }
+  if (auto flow = loop.ReadTable(kTableBeforeCut); !flow) return flow;
   const std::uint32_t boots = loop.bench().board.status().boots_seen;
   const auto deadline = [&] { return loop.now() + std::chrono::seconds(2); };
   if (const Status off = loop.bench().power->SetOn(false, deadline()); !off) {
@@ -126,10 +125,7 @@ Flow RunStep(BenchLoop& loop, const PowerCycle& cycle) {
   if (const Status dated = loop.bench().board.SendDate(loop.bench().clock.utc()); !dated) {
     return Stop(Halt::Why::kRigFault, dated.error().message);
   }
-  if (const auto table = loop.ReadTable(2); !table) {
-    return Stop(Halt::Why::kRigFault, table.error().message);
-  }
-  return {};
+  return loop.ReadTable(kTableAfterBoot);
 }
 
 }  // namespace zrobench

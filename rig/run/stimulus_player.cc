@@ -27,17 +27,22 @@ EventItem Describe(const Stimulus& stimulus, EventItem::Kind kind) {
 
 void StimulusPlayer::Schedule(const std::vector<Stimulus>& stimuli) {
   slots_.clear();
-  for (const Stimulus& stimulus : stimuli) slots_.push_back({stimulus, false, std::nullopt});
+  for (const Stimulus& stimulus : stimuli) Add(stimulus);
   step_start_ = bench_.clock.now();
 }
 
-int StimulusPlayer::waiting() const {
-  return static_cast<int>(
-      std::count_if(slots_.begin(), slots_.end(), [](const Slot& s) { return !s.begun; }));
+bool StimulusPlayer::playing() const {
+  return std::any_of(slots_.begin(), slots_.end(),
+                     [](const Slot& s) { return s.state == Slot::State::kPlaying; });
 }
 
-bool StimulusPlayer::Due(Slot& slot, std::optional<double> board_degc) const {
-  if (slot.begun) return false;
+int StimulusPlayer::waiting() const {
+  return static_cast<int>(std::count_if(slots_.begin(), slots_.end(), [](const Slot& s) {
+    return s.state == Slot::State::kWaiting || s.state == Slot::State::kDue;
+  }));
+}
+
+bool StimulusPlayer::Comes(Slot& slot, std::optional<double> board_degc) const {
   if (slot.stimulus.at_s) {
     return bench_.clock.now() >= step_start_ + FromSeconds(*slot.stimulus.at_s);
   }
@@ -49,50 +54,69 @@ bool StimulusPlayer::Due(Slot& slot, std::optional<double> board_degc) const {
   return passed;
 }
 
+bool StimulusPlayer::Busy(const Slot& slot) const {
+  return std::any_of(slots_.begin(), slots_.end(), [&](const Slot& s) {
+    return s.state == Slot::State::kPlaying &&
+           s.stimulus.what.index() == slot.stimulus.what.index();
+  });
+}
+
 Status StimulusPlayer::Update(std::optional<double> board_degc) {
-  if (playing_ && bench_.clock.now() >= playing_->until) {
-    if (Status ended = End(); !ended) return ended;
+  using enum Slot::State;
+  for (Slot& slot : slots_) {
+    if (slot.state != kPlaying || bench_.clock.now() < slot.until) continue;
+    if (Status ended = End(slot); !ended) return ended;
   }
   for (Slot& slot : slots_) {
-    if (playing_ || !Due(slot, board_degc)) continue;
-    slot.begun = true;
-    if (Status begun = Begin(slot.stimulus); !begun) return begun;
+    if (slot.state == kWaiting && Comes(slot, board_degc)) slot.state = kDue;
+    if (slot.state != kDue || Busy(slot)) continue;
+    if (Status begun = Begin(slot); !begun) return begun;
   }
   return {};
 }
 
-Status StimulusPlayer::Begin(const Stimulus& stimulus) {
+Status StimulusPlayer::Begin(Slot& slot) {
+  slot.state = Slot::State::kOver;  // until it plays: what fails or is skipped is not tried again
   const Instant now = bench_.clock.now();
+  const Stimulus& stimulus = slot.stimulus;
   if (const auto* move = std::get_if<Move>(&stimulus.what)) {
-    if (!bench_.hand) {
-      log_.Note("move skipped: nobody is there to move the board");
+    const Status moved = bench_.hand
+                             ? bench_.hand->StartMove(move->how, FromSeconds(move->for_s))
+                             : Fail(Error::Kind::kRefused, "nobody is there to move the board");
+    if (!moved && moved.error().kind != Error::Kind::kRefused) return moved;
+    if (!moved) {
+      log_.Alarm("move " + move->how + " skipped: " + moved.error().message);
       return {};
-    }
-    if (Status moved = bench_.hand->StartMove(move->how, FromSeconds(move->for_s)); !moved) {
-      return moved;
     }
   }
   // Recorded before the sound starts: the stimulus is never shorter than the record says.
   log_.WriteEvent(Describe(stimulus, EventItem::Kind::kStimulusBegin));
+  slot.state = Slot::State::kPlaying;
+  slot.until = now + FromSeconds(Length_s(stimulus));
   if (const auto* tone = std::get_if<Tone>(&stimulus.what)) {
     if (Status on = bench_.speaker.SetTone(tone->hz, tone->v, now + kDeadline); !on) return on;
     log_.Write(SpeakerItem{log_.now_us(), tone->hz, tone->v, tone->spl_db});
   }
-  playing_ = Playing{stimulus, now + FromSeconds(Length_s(stimulus))};
   return {};
 }
 
-Status StimulusPlayer::End() {
-  const Stimulus stimulus = playing_->stimulus;
-  playing_.reset();
-  if (std::holds_alternative<Tone>(stimulus.what)) {
+Status StimulusPlayer::End(Slot& slot) {
+  slot.state = Slot::State::kOver;
+  if (std::holds_alternative<Tone>(slot.stimulus.what)) {
     if (Status off = bench_.speaker.Mute(bench_.clock.now() + kDeadline); !off) return off;
     log_.Write(SpeakerItem{log_.now_us(), 0, 0, 0});
   }
-  log_.WriteEvent(Describe(stimulus, EventItem::Kind::kStimulusEnd));
+  log_.WriteEvent(Describe(slot.stimulus, EventItem::Kind::kStimulusEnd));
   return {};
 }
 
-Status StimulusPlayer::Abort() { return playing_ ? End() : Status{}; }
+Status StimulusPlayer::Abort() {
+  Status first;
+  for (Slot& slot : slots_) {
+    if (slot.state != Slot::State::kPlaying) continue;
+    if (Status ended = End(slot); !ended && first) first = ended;
+  }
+  return first;
+}
 
 }  // namespace zrobench

@@ -1,5 +1,6 @@
 #pragma once
-// Plays tones and moves during a step, each from its time or temperature on, and records when.
+// Plays tones and moves during a step, each from its time or temperature on, and records when. A
+// tone and a move may overlap; two of a kind follow each other: there is one speaker and one hand.
 #include <optional>
 #include <vector>
 
@@ -15,34 +16,34 @@ class StimulusPlayer {
 
   /// Stimuli of the step that begins now; those of the step before are forgotten.
   void Schedule(const std::vector<Stimulus>& stimuli);
+  /// One more, from now on.
+  void Add(const Stimulus& stimulus) { slots_.push_back({.stimulus = stimulus}); }
   /// Starts what is due and ends what is over. `board_degc` decides at_degc: a stimulus starts when
   /// the temperature passes it in either direction.
   Status Update(std::optional<double> board_degc);
-  bool playing() const { return playing_.has_value(); }
+  bool playing() const;
   /// How many have not begun yet.
   int waiting() const;
-  /// Ends the one that plays (a stop on request).
+  /// Ends those that play (a stop on request); the first failure.
   Status Abort();
 
  private:
   struct Slot {
+    enum class State { kWaiting, kDue, kPlaying, kOver };
     Stimulus stimulus;
-    bool begun = false;
-    std::optional<bool> was_below;  ///< board below at_degc when last looked
-  };
-  struct Playing {
-    Stimulus stimulus;
-    Instant until;
+    State state = State::kWaiting;
+    std::optional<bool> was_below = std::nullopt;  ///< board below at_degc when last looked
+    Instant until = {};
   };
 
-  bool Due(Slot& slot, std::optional<double> board_degc) const;
-  Status Begin(const Stimulus& stimulus);
-  Status End();
+  bool Comes(Slot& slot, std::optional<double> board_degc) const;
+  bool Busy(const Slot& slot) const;
+  Status Begin(Slot& slot);
+  Status End(Slot& slot);
 
   Bench& bench_;
   RunLog& log_;
   std::vector<Slot> slots_;
-  std::optional<Playing> playing_;
   Instant step_start_{};
 };
 

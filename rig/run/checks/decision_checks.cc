@@ -44,6 +44,21 @@ bool Wrote(zro::Code code) {
          code == zro::Code::kOverwroteOld || code == zro::Code::kShiftConfirmed;
 }
 
+/// Where refusals are looked for: in and just after every stimulus of that kind, or anywhere.
+std::vector<Interval> Windows(const Evidence& evidence, const std::string& during) {
+  if (during.empty()) return {{evidence.first_us, evidence.last_us, "the run"}};
+  std::vector<Interval> windows;
+  for (const Interval& stimulus : evidence.stimuli) {
+    if (!stimulus.Is(during)) continue;
+    windows.push_back({stimulus.first_us, stimulus.last_us + kVerdictDelay_us, stimulus.kind});
+  }
+  return windows;
+}
+
+std::string LostDecisions(const Evidence& evidence) {
+  return fmt::format("{} decisions of the board were lost", evidence.decisions_lost);
+}
+
 }  // namespace
 
 CheckResult CheckRejects(const Expectation& expect, const CheckContext& context) {
@@ -51,28 +66,33 @@ CheckResult CheckRejects(const Expectation& expect, const CheckContext& context)
   const std::string during = Text(expect, "during");
   CheckResult result;
   result.check = expect.check;
-  result.about = fmt::format("refused with code {} during {}", fmt::join(codes, " or "), during);
+  result.about =
+      fmt::format("refused with {} during {}",
+                  codes.empty() ? "any code" : fmt::format("code {}", fmt::join(codes, " or ")),
+                  during.empty() ? "the run" : during);
   const auto wanted = [&](const TimedDecision& d) {
+    if (codes.empty()) return zro::IsRejection(d.record.code);
     return std::find(codes.begin(), codes.end(), static_cast<int>(d.record.code)) != codes.end();
   };
-  bool provoked = false;
-  for (const Interval& stimulus : context.evidence.stimuli) {
-    if (!stimulus.Is(during)) continue;
-    provoked = true;
-    const auto count = std::count_if(context.evidence.decisions.begin(),
-                                     context.evidence.decisions.end(), [&](const auto& d) {
-                                       return wanted(d) && d.at_us >= stimulus.first_us &&
-                                              d.at_us <= stimulus.last_us + kVerdictDelay_us;
-                                     });
-    result.measurements.push_back({.name = "rejects." + during,
+  const auto& decisions = context.evidence.decisions;
+  for (const Interval& window : Windows(context.evidence, during)) {
+    const auto count = std::count_if(decisions.begin(), decisions.end(), [&](const auto& d) {
+      return wanted(d) && d.at_us >= window.first_us && d.at_us <= window.last_us;
+    });
+    result.measurements.push_back({.name = "rejects." + window.kind,
                                    .value = static_cast<double>(count),
                                    .unit = "1",
                                    .low = expect.number("at_least", 1),
-                                   .first_us = stimulus.first_us,
-                                   .last_us = stimulus.last_us + kVerdictDelay_us});
+                                   .first_us = window.first_us,
+                                   .last_us = window.last_us});
   }
-  if (!provoked) result.reason = "no " + during + " was played";
+  if (result.measurements.empty()) result.reason = "no " + during + " was played";
   JudgeCheck(result);
+  if (result.verdict == Verdict::kFail && context.evidence.decisions_lost > 0) {
+    // The refusal may be among those that we did not get to see.
+    result.verdict = Verdict::kInconclusive;
+    result.reason = LostDecisions(context.evidence);
+  }
   return result;
 }
 
@@ -90,7 +110,8 @@ Measurement WritesDuringStimuli(const Evidence& evidence) {
     const std::uint64_t from = decision.at_us - std::min(decision.at_us, kReading_us);
     const bool corrupt =
         std::any_of(evidence.stimuli.begin(), evidence.stimuli.end(), [&](const Interval& i) {
-          return i.kind != "off" && i.Overlaps(from + kGraze_us, decision.at_us - kGraze_us);
+          return i.kind != "off" &&
+                 i.Overlaps(from + kGraze_us, std::max(decision.at_us, kGraze_us) - kGraze_us);
         });
     m.value += corrupt ? 1 : 0;
   }
@@ -125,13 +146,13 @@ CheckResult CheckNoCorruptEntry(const Expectation& expect, const CheckContext& c
     }
     result.measurements.push_back(m);
   }
-  if (context.evidence.decisions_lost > 0) {
-    result.reason =
-        fmt::format("{} decisions of the board were lost", context.evidence.decisions_lost);
-  }
   JudgeCheck(result);
-  if (!result.reason.empty() && result.verdict == Verdict::kPass) {
+  if (result.verdict == Verdict::kFail) return result;
+  const bool tempted = result.measurements.size() > 1 || !context.evidence.stimuli.empty();
+  if (context.evidence.decisions_lost > 0 || !tempted) {
     result.verdict = Verdict::kInconclusive;
+    result.reason = tempted ? LostDecisions(context.evidence)
+                            : "nothing was written and no stimulus was there to tempt it";
   }
   return result;
 }

@@ -147,6 +147,13 @@ Measurement Persistence(const TableItem& before, const TableItem& after, bool cl
   return m;
 }
 
+/// Nothing waited to be stored when the supply went between these two looks at the table.
+bool WasClean(const Evidence& evidence, const TableItem& before, const TableItem& after) {
+  return std::all_of(evidence.cuts.begin(), evidence.cuts.end(), [&](const PowerCut& cut) {
+    return cut.clean || cut.at_us < before.at_us || cut.at_us > after.at_us;
+  });
+}
+
 }  // namespace
 
 CheckResult CheckTablePersists(const Expectation& expect, const CheckContext& context) {
@@ -156,7 +163,7 @@ CheckResult CheckTablePersists(const Expectation& expect, const CheckContext& co
     if (table.when == 1) before = &table;
     if (table.when != 2 || before == nullptr) continue;
     result.measurements.push_back(
-        Persistence(*before, table, context.evidence.nv_clean_before_cut));
+        Persistence(*before, table, WasClean(context.evidence, *before, table)));
     before = nullptr;
   }
   if (result.measurements.empty()) result.reason = "the board was never power-cycled";

@@ -1,0 +1,96 @@
+#include "rig/run/stimulus_player.h"
+
+#include <gmock/gmock.h>
+
+#include "tests/unit/run/fake_bench.h"
+
+namespace zrobench {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const Tone kTone{1000, 1, 94, 5};
+const Move kMove{"tap", 4};
+
+class StimulusPlayerTest : public BenchTest {
+ protected:
+  StimulusPlayer player_{bench_, *log_};
+  std::vector<std::string> Begun() { return Events(EventItem::Kind::kStimulusBegin); }
+  void SetUp() override {}
+  StimulusPlayerTest() { BenchTest::SetUp(); }
+};
+
+TEST_F(StimulusPlayerTest, StartsAtItsTimeAndEndsAfterItsLength) {
+  player_.Schedule({{kTone, 2.0, {}}});
+  ASSERT_TRUE(player_.Update({}));
+  EXPECT_FALSE(player_.playing());
+  EXPECT_EQ(player_.waiting(), 1);
+  Pass(2);
+  ASSERT_TRUE(player_.Update({}));
+  EXPECT_TRUE(player_.playing());
+  EXPECT_EQ(speaker_.hz, 1000);
+  Pass(4.9);
+  ASSERT_TRUE(player_.Update({}));
+  EXPECT_TRUE(player_.playing());
+  Pass(0.1);
+  ASSERT_TRUE(player_.Update({}));
+  EXPECT_FALSE(player_.playing());
+  EXPECT_EQ(speaker_.v, 0);
+  EXPECT_EQ(player_.waiting(), 0);
+}
+
+TEST_F(StimulusPlayerTest, StartsWhenTheTemperaturePassesInEitherDirectionOnce) {
+  for (const auto& path : {std::vector{27.0, 27.9, 28.1}, std::vector{29.0, 28.1, 27.9}}) {
+    player_.Schedule({{kTone, {}, 28.0}});
+    for (const double degc : path) {
+      EXPECT_FALSE(player_.playing()) << degc;
+      ASSERT_TRUE(player_.Update(degc));
+    }
+    EXPECT_TRUE(player_.playing());
+    Pass(5);
+    ASSERT_TRUE(player_.Update(path.front()));
+    EXPECT_FALSE(player_.playing());
+  }
+  EXPECT_EQ(Begun().size(), 2u);
+}
+
+TEST_F(StimulusPlayerTest, AToneAndAMoveOverlapTwoTonesFollowEachOther) {
+  Tone second = kTone;
+  second.hz = 2000;
+  player_.Schedule({{kTone, 0.0, {}}, {second, 1.0, {}}, {kMove, 1.0, {}}});
+  ASSERT_TRUE(player_.Update({}));
+  Pass(1);
+  ASSERT_TRUE(player_.Update({}));
+  EXPECT_EQ(speaker_.hz, 1000);
+  EXPECT_THAT(hand_.moves, ElementsAre("tap"));
+  Pass(4);
+  ASSERT_TRUE(player_.Update({}));
+  EXPECT_EQ(speaker_.hz, 2000);
+  EXPECT_THAT(Begun(), ElementsAre("tone", "move tap", "tone"));
+}
+
+TEST_F(StimulusPlayerTest, AMoveThatNobodyMakesIsSkippedAndSaidSo) {
+  hand_.there = false;
+  player_.Schedule({{kMove, 0.0, {}}});
+  ASSERT_TRUE(player_.Update({}));
+  bench_.hand = nullptr;
+  player_.Schedule({{kMove, 0.0, {}}});
+  ASSERT_TRUE(player_.Update({}));
+  EXPECT_FALSE(player_.playing());
+  EXPECT_THAT(Begun(), ElementsAre());
+  EXPECT_THAT(Events(EventItem::Kind::kAlarm),
+              ElementsAre(HasSubstr("unattended"), HasSubstr("skipped")));
+}
+
+TEST_F(StimulusPlayerTest, AbortEndsWhatPlaysOnRecord) {
+  player_.Schedule({{kTone, 0.0, {}}, {kMove, 0.0, {}}});
+  ASSERT_TRUE(player_.Update({}));
+  ASSERT_TRUE(player_.Abort());
+  EXPECT_FALSE(player_.playing());
+  EXPECT_EQ(speaker_.v, 0);
+  EXPECT_THAT(Events(EventItem::Kind::kStimulusEnd), ElementsAre("tone", "move tap"));
+}
+
+}  // namespace
+}  // namespace zrobench
