@@ -18,7 +18,9 @@ constexpr std::size_t kColumns = 100;
 
 void PlainProgress::Line(std::uint64_t at_us, const std::string& text) const {
   const std::string utc = UtcText(epoch_ + static_cast<UtcNs>(at_us) * 1000).substr(0, 19);
-  fmt::print(stderr, "{}\n", (utc + "Z " + text).substr(0, kColumns));
+  const std::string line = (utc + "Z " + text).substr(0, kColumns) + '\n';
+  // Nobody may be reading any more: no reason to end the run.
+  static_cast<void>(std::fputs(line.c_str(), stderr));
 }
 
 std::string PlainProgress::Eta(std::uint64_t at_us) const {

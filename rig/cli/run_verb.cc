@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "rig/cli/plain_progress.h"
@@ -14,6 +15,8 @@
 namespace zrobench {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 struct RunOptions {
   std::string profile = ZROBENCH_PROFILES "/quick-look.toml";
   std::string station = ZROBENCH_PROFILES "/stations/virtual.toml";
@@ -23,35 +26,50 @@ struct RunOptions {
   bool json = false;
 };
 
-int Invalid(const Error& error) {
-  fmt::print(stderr, "{}\n", error.message);
-  return kExitInvalid;
+/// A run that never was: with --json the reason is the object, else a line for people.
+int Refuse(const Error& error, int exit_code, bool json) {
+  if (json) {
+    const Json object = {
+        {"schema", RunManifest::kSchema}, {"exit_code", exit_code}, {"errors", error.message}};
+    fmt::print("{}\n", object.dump(2, ' ', false, Json::error_handler_t::replace));
+  } else {
+    fmt::print(stderr, "{}\n", error.message);
+  }
+  return exit_code;
+}
+
+/// Standard output may be closed: the exit code tells the verdict all the same.
+void Print(const std::string& text) {
+  static_cast<void>(std::fputs(text.c_str(), stdout));
+  static_cast<void>(std::fflush(stdout));
 }
 
 void PrintResult(const RunOutcome& outcome, const std::filesystem::path& report, bool json) {
   if (json) {
-    auto object = nlohmann::ordered_json::parse(ToJson(outcome.manifest));
+    auto object = Json::parse(ToJson(outcome.manifest));
     object["folder"] = outcome.folder.string();
-    fmt::print("{}\n", object.dump(2));
+    object["alarms"] = outcome.alarms;
+    Print(object.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
     return;
   }
-  fmt::print("\n{}\nreport: {}\n{}\n", VerdictTable(outcome.manifest), report.string(),
-             CountLine(outcome.manifest));
+  Print(fmt::format("\n{}\nreport: {}\n{}\n", VerdictTable(outcome.manifest, outcome.alarms),
+                    report.string(), CountLine(outcome.manifest)));
 }
 
 int Run(const RunOptions& options) {
   const auto station = LoadStation(options.station);
-  if (!station) return Invalid(station.error());
+  if (!station) return Refuse(station.error(), kExitInvalid, options.json);
   const auto profile = LoadProfile(options.profile, *station);
-  if (!profile) return Invalid(profile.error());
+  if (!profile) return Refuse(profile.error(), kExitInvalid, options.json);
   if (!station->all_virtual()) {
-    return Invalid({Error::Kind::kConfig, options.station +
-                                              ": this version drives the virtual rig only; every "
-                                              "instrument must be \"virtual:\""});
+    return Refuse({Error::Kind::kConfig, options.station +
+                                             ": this version drives the virtual rig only; every "
+                                             "instrument must be \"virtual:\""},
+                  kExitInvalid, options.json);
   }
   VirtualClock clock(station->virtual_rig.epoch);
   auto rig = VirtualRig::Make(*station, options.seed, clock);
-  if (!rig) return Invalid(rig.error());
+  if (!rig) return Refuse(rig.error(), kExitInvalid, options.json);
   Instruments instruments{clock,          (*rig)->plate(),  (*rig)->speaker(),
                           (*rig)->bus(),  &(*rig)->power(), &(*rig)->environment(),
                           &(*rig)->hand()};
@@ -61,17 +79,15 @@ int Run(const RunOptions& options) {
   const auto outcome = ExecuteRun(
       {*profile, *station, options.seed, options.runs, CatchSignals(), quiet ? nullptr : &progress},
       instruments);
-  if (!outcome) {
-    fmt::print(stderr, "{}\n", outcome.error().message);
-    return kExitRigError;
-  }
+  if (!outcome) return Refuse(outcome.error(), kExitRigError, options.json);
   const auto report = outcome->folder / "report.txt";
-  if (auto ok = WriteFileAtomically(report, FullReport(outcome->manifest)); !ok) {
-    fmt::print(stderr, "{}\n", ok.error().message);
-    return kExitRigError;
-  }
+  const Status kept = WriteFileAtomically(report, FullReport(outcome->manifest, outcome->alarms));
   PrintResult(*outcome, report, options.json);
-  return *outcome->manifest.exit_code;
+  const int exit_code = *outcome->manifest.exit_code;
+  if (kept) return exit_code;
+  static_cast<void>(std::fputs((kept.error().message + '\n').c_str(), stderr));
+  // The report can be rebuilt from the record: it never hides why a run was ended.
+  return exit_code == 0 || exit_code == 1 || exit_code == 4 ? kExitRigError : exit_code;
 }
 
 }  // namespace

@@ -17,6 +17,9 @@ extern "C" void OnSignal(int signal) {
 StopRequest& CatchSignals() {
   struct sigaction action {};
   action.sa_handler = OnSignal;  // no SA_RESTART: a blocking wait ends and looks
+  // A reader of our output that went away, or a full quota, must not end the program with the plate
+  // hot: the write fails instead, and is dealt with there.
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
   return g_request;
 }

@@ -76,6 +76,28 @@ std::string CheckLines(const CheckResult& check) {
   return out;
 }
 
+constexpr std::size_t kShownAlarms = 8;
+
+std::string AlarmLines(const std::vector<std::string>& alarms) {
+  if (alarms.empty()) return {};
+  std::string out = fmt::format("\n{} alarm{} of the rig during the run\n", alarms.size(),
+                                alarms.size() == 1 ? "" : "s");
+  for (std::size_t i = 0; i < std::min(alarms.size(), kShownAlarms); ++i) {
+    out += Wrapped("- " + alarms[i], 2);
+  }
+  if (alarms.size() > kShownAlarms) {
+    out += fmt::format("  ... and {} more in the record\n", alarms.size() - kShownAlarms);
+  }
+  return out;
+}
+
+std::string MeasurementLine(const Measurement& m) {
+  const std::string figure = fmt::format("{:.4g}{}{}", m.value, Uncertainty(m), Unit(m));
+  return fmt::format("  {:<34} {:<22} limit {:<13} {:>6.0f} .. {:.0f} s\n", m.name, figure,
+                     Limits(m), static_cast<double>(m.first_us) * 1e-6,
+                     static_cast<double>(m.last_us) * 1e-6);
+}
+
 }  // namespace
 
 std::string CountLine(const RunManifest& manifest) {
@@ -84,28 +106,26 @@ std::string CountLine(const RunManifest& manifest) {
                      counts.skipped);
 }
 
-std::string VerdictTable(const RunManifest& manifest) {
+std::string VerdictTable(const RunManifest& manifest, const std::vector<std::string>& alarms) {
   std::string out = fmt::format("{} on {} ({}), seed {}\n\n", manifest.profile, manifest.station,
                                 manifest.backend, manifest.seed);
   out += fmt::format("  {:<13} {:<17} {}\n", "verdict", "check", "deciding figure");
   for (const CheckResult& check : manifest.checks) out += CheckLines(check);
-  out += fmt::format("\nverdict: {}\n", manifest.verdict ? VerdictName(*manifest.verdict)
-                                                         : "none: the run did not end");
+  out += AlarmLines(alarms);
+  out +=
+      fmt::format("\nverdict: {}{}\n",
+                  manifest.verdict ? VerdictName(*manifest.verdict) : "none: the run did not end",
+                  alarms.empty() ? "" : ", with alarms");
   if (!manifest.reason.empty()) out += Wrapped("ended early: " + manifest.reason, 0);
   return out;
 }
 
-std::string FullReport(const RunManifest& manifest) {
-  std::string out = VerdictTable(manifest);
+std::string FullReport(const RunManifest& manifest, const std::vector<std::string>& alarms) {
+  std::string out = VerdictTable(manifest, alarms);
   out += fmt::format("\nstarted {}, software {} ({})\n\nmeasurements (uncertainty: k = 2)\n",
                      UtcText(manifest.started), manifest.version, manifest.build);
   for (const CheckResult& check : manifest.checks) {
-    for (const Measurement& m : check.measurements) {
-      out += fmt::format("  {:<34} {:>10.4g}{:<10}{:<7} limit {:<16} at {:.0f}..{:.0f} s\n", m.name,
-                         m.value, Uncertainty(m), Unit(m), Limits(m),
-                         static_cast<double>(m.first_us) * 1e-6,
-                         static_cast<double>(m.last_us) * 1e-6);
-    }
+    for (const Measurement& m : check.measurements) out += MeasurementLine(m);
   }
   return out;
 }

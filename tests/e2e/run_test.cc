@@ -109,6 +109,50 @@ TEST_F(RunTest, WhatIsWrongInAProfileIsSaidWithItsPlaceAndNothingMoves) {
   EXPECT_FALSE(std::filesystem::exists(folder_.path() / "runs"));
 }
 
+TEST_F(RunTest, BelowTheDewPointOnlyWithDryGas) {
+  const auto profile = folder_.Write("cold.toml",
+                                     "schema = 1\nname = \"cold\"\nabout = \"x\"\n"
+                                     "[[step]]\nramp = { to_degc = 5.0, rate_degc_per_min = 9 }\n"
+                                     "[[expect]]\nlockstep = {}\n");
+  const ProgramResult wet = Run({"run", profile.string()});
+  EXPECT_EQ(wet.exit_code, 2);
+  EXPECT_THAT(wet.err, HasSubstr("cold.toml:5:"));
+  EXPECT_THAT(wet.err, HasSubstr("dew point of 8.7 degC"));  // 23 degC, 40 %RH
+  EXPECT_FALSE(std::filesystem::exists(folder_.path() / "runs"));
+  std::string station = ReadText(kProfiles + "stations/virtual.toml");
+  station.replace(station.find("purge = false"), 13, "purge = true ");
+  const auto dry = folder_.Write("dry.toml", station);
+  EXPECT_EQ(Run({"run", profile.string(), "--station", dry.string(), "--ui", "none"}).exit_code, 0);
+}
+
+TEST_F(RunTest, WithJsonARefusalIsAnObjectToo) {
+  const ProgramResult result = Run({"run", "nowhere.toml", "--json"});
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_EQ(result.err, "");
+  EXPECT_EQ(nlohmann::json::parse(result.out).at("exit_code"), 2);
+}
+
+TEST_F(RunTest, AFullDiskIsTheRigsFaultAndIsSaid) {
+  const ProgramResult result =
+      RunProgram("/bin/sh", {"-c", "ulimit -f 1000; exec " + kProgram.string() + " run --ui none"},
+                 folder_.path());
+  EXPECT_EQ(result.exit_code, 3) << result.out << result.err;
+  EXPECT_THAT(LastLine(result.out), MatchesRegex("0 passed, 0 failed, [0-9]+ skipped"));
+  const auto json = nlohmann::json::parse(ReadText(OnlyRun(folder_.path()) / "run.json"));
+  EXPECT_EQ(json.at("verdict"), "rig_error");
+  EXPECT_THAT(json.at("reason").get<std::string>(), HasSubstr("record.ulg"));
+}
+
+TEST_F(RunTest, AReaderThatGoesAwayDoesNotEndTheRun) {
+  const ProgramResult result =
+      RunProgram("/bin/sh",
+                 {"-c", "{ " + kProgram.string() +
+                            " run; echo $? >code; } 2>&1 | head -n 1 >/dev/null; "
+                            "exit $(cat code)"},
+                 folder_.path());
+  EXPECT_EQ(result.exit_code, 0);
+}
+
 TEST_F(RunTest, MissingFilesAndUnknownOptionsAreUsageErrors) {
   const ProgramResult missing = Run({"run", "nowhere.toml"});
   EXPECT_EQ(missing.exit_code, 2);
