@@ -96,12 +96,12 @@ TEST_F(EvidenceTest, MissingSamplesAndDecisionsAreCounted) {
 TEST_F(EvidenceTest, OverlappingStimuliKeepTheirOwnEnds) {
   Event(10, Kind::kStimulusBegin, "tone");
   Event(12, Kind::kStimulusBegin, "move tap");
-  Event(15, Kind::kStimulusEnd, "tone");
-  Event(20, Kind::kStimulusEnd, "move tap");
+  Event(15, Kind::kStimulusEnd, "move tap");
+  Event(20, Kind::kStimulusEnd, "tone");
   const Evidence evidence = Gather();
   ASSERT_EQ(evidence.stimuli.size(), 2u);
-  EXPECT_EQ(evidence.stimuli[0].last_us, 15 * kS);
-  EXPECT_EQ(evidence.stimuli[1].last_us, 20 * kS);
+  EXPECT_EQ(evidence.stimuli[0].last_us, 20 * kS);
+  EXPECT_EQ(evidence.stimuli[1].last_us, 15 * kS);
   EXPECT_TRUE(evidence.stimuli[1].Is("tap"));
   EXPECT_TRUE(evidence.stimuli[1].Is("move"));
   EXPECT_FALSE(evidence.stimuli[1].Is("tone"));
