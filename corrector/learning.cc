@@ -171,7 +171,8 @@ void Corrector::Accept(const Decision& decision, const Summary& reading) {
     Emit({Code::kQuarantineExpired, kNoAxis, votes, static_cast<float>(Quarantine::kVotes)},
          reading.temp_degc, reading.zro_dps);
   }
-  if (complete_) {  // STOP: the reading only showed that the table still holds
+  const bool unknown = decision.finding.code == Code::kNew;  // a temperature beyond the coverage
+  if (complete_ && !unknown) {  // STOP: the reading only showed that the table still holds
     period_.waiting = true;
     period_.resume_at = sample_ + Samples(kWatchS);
   } else if (decision.finding.code == Code::kRecentNothingToDo) {

@@ -156,10 +156,23 @@ TEST(Patent, Fig4Block46_StopsWhenTheTableIsCompleteAndFresh) {
   EXPECT_EQ(bench.Count(Code::kTableComplete), 1);
   bench.Shake(1.0);
   bench.events.clear();
-  Learn(bench, {21.5, 29.0, 24.0});
+  Learn(bench, {21.5, 24.0});
   bench.Rest(600.0, 24.0);
   EXPECT_TRUE(bench.events.empty());  // nothing written, nothing refused, nothing to say
   EXPECT_EQ(bench.table().size(), 3);
+}
+
+TEST(Fig4, CompleteTableStillTakesInATemperatureBeyondItsCoverage) {
+  Bench bench(Covering(20.0f, 25.0f));
+  bench.corrector().SetDate(kToday);
+  Learn(bench, {21.0, 23.5});
+  ASSERT_TRUE(bench.corrector().complete());
+  bench.events.clear();
+  Learn(bench, {26.0, 21.0, 26.0});
+  EXPECT_EQ(bench.Count(Code::kNew), 1);
+  EXPECT_EQ(bench.Count(Code::kReArmed), 0);
+  EXPECT_EQ(bench.table().size(), 3);
+  EXPECT_TRUE(bench.corrector().complete());
 }
 
 TEST(Fig4, CompleteTableStillNoticesAShift) {
