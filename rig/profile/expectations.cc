@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rig/station/key_names.h"
+#include "core/key_names.h"
 
 namespace zrobench {
 namespace {
@@ -52,13 +52,6 @@ Range RangeOf(const Argument& argument) {
                            : Range::Between(argument.low, argument.high);
 }
 
-bool ReadCount(TableReader* reader, const Argument& argument, double* count) {
-  if (!reader->Number(argument.key, count, RangeOf(argument))) return false;
-  if (*count == std::floor(*count)) return true;
-  reader->Complain(argument.key, fmt::format("{} must be a whole number", argument.key));
-  return false;
-}
-
 bool ReadCodes(TableReader* reader, const Argument& argument, std::vector<double>* codes) {
   if (!reader->Numbers(argument.key, codes, RangeOf(argument), 1, 16)) return false;
   const auto whole = [](double code) { return code == std::floor(code); };
@@ -71,6 +64,7 @@ void ReadArgument(TableReader* reader, const Argument& argument, Expectation* ex
   using enum Argument::Type;
   const std::string key(argument.key);
   double number = 0;
+  std::size_t count = 0;
   std::string text;
   std::vector<double> codes;
   switch (argument.type) {
@@ -80,7 +74,8 @@ void ReadArgument(TableReader* reader, const Argument& argument, Expectation* ex
       }
       break;
     case kCount:
-      if (!ReadCount(reader, argument, &number)) break;
+      if (!reader->Count(key, &count, RangeOf(argument))) break;
+      number = static_cast<double>(count);
       if (key == "code") {
         expectation->arguments.emplace_back("codes", std::vector<double>{number});
       } else {

@@ -1,8 +1,8 @@
 #pragma once
 #include <optional>
 
+#include "core/toml_reader.h"
 #include "rig/profile/profile.h"
-#include "rig/station/toml_reader.h"
 
 namespace zrobench {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "core/toml_reader.h"
 #include "rig/profile/actions.h"
 #include "rig/profile/expectations.h"
 #include "rig/profile/profile.h"
-#include "rig/station/toml_reader.h"
 
 namespace zrobench {
 namespace {

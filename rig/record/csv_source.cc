@@ -4,25 +4,20 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <utility>
+
+#include "rig/record/csv_text.h"
 
 namespace zrobench {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r";
-
-std::string_view Trim(std::string_view text) {
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  text = text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-  if (text.size() >= 2 && text.front() == '"' && text.back() == '"') {
-    text = text.substr(1, text.size() - 2);
-  }
-  return text;
-}
+/// A longer line is no row of a logger: the file is something else.
+constexpr std::size_t kMaxLineBytes = 1 << 16;
+/// Seconds since 1970 pass; microseconds taken for seconds do not. int64 nanoseconds end at 9.2e9.
+constexpr double kMaxTimeS = 8e9;
 
 }  // namespace
 
@@ -40,43 +35,43 @@ std::string CsvSource::At(std::string_view what) const {
   return fmt::format("{}:{}: error: {}", path_.string(), line_, what);
 }
 
-bool CsvSource::NextLine() {
-  do {
-    if (!std::getline(in_, text_)) return false;
-    ++line_;
-    torn_ = in_.eof();
-  } while ((!map_.comment.empty() && text_.starts_with(map_.comment)) || Trim(text_).empty());
+Result<bool> CsvSource::ReadLine() {
+  buffer_.resize(kMaxLineBytes);
+  in_.getline(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+  if (in_.bad()) return Fail(Error::Kind::kFile, path_.string() + ": cannot be read");
+  torn_ = in_.eof();
+  const auto bytes = static_cast<std::size_t>(in_.gcount());
+  if (torn_ && bytes == 0) return false;
+  ++line_;
+  if (in_.fail()) {
+    return Fail(Error::Kind::kConfig,
+                At(fmt::format("a line of more than {} bytes: this is no CSV", kMaxLineBytes)));
+  }
+  text_ = {buffer_.data(), torn_ ? bytes : bytes - 1};
+  if (line_ == 1 && text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);  // byte order mark
   return true;
 }
 
-void CsvSource::Split() {
-  fields_.clear();
-  std::string_view rest = text_;
-  if (map_.delimiter == ' ') {
-    while (!(rest = rest.substr(std::min(rest.find_first_not_of(kBlanks), rest.size()))).empty()) {
-      const std::size_t end = std::min(rest.find_first_of(kBlanks), rest.size());
-      fields_.push_back(Trim(rest.substr(0, end)));
-      rest.remove_prefix(end);
-    }
-    return;
-  }
+Result<bool> CsvSource::NextLine() {
   for (;;) {
-    const std::size_t end = rest.find(map_.delimiter);
-    fields_.push_back(Trim(rest.substr(0, end)));
-    if (end == std::string_view::npos) return;
-    rest.remove_prefix(end + 1);
+    auto more = ReadLine();
+    if (!more || !*more) return more;
+    if (!map_.comment.empty() && text_.starts_with(map_.comment)) continue;
+    if (TrimField(text_).empty()) continue;
+    SplitLine(text_, map_.delimiter, &fields_);
+    return true;
   }
 }
 
 Status CsvSource::ReadHeader() {
   for (std::size_t i = 0; i < map_.skip_lines; ++i) {
-    if (std::getline(in_, text_)) ++line_;
+    if (auto more = ReadLine(); !more) return tl::unexpected(more.error());
   }
   std::vector<std::string> names;
   if (map_.header) {
-    if (!NextLine()) return Fail(Error::Kind::kConfig, At("no header: the file is empty"));
-    if (text_.starts_with("\xEF\xBB\xBF")) text_.erase(0, 3);  // byte order mark
-    Split();
+    const auto more = NextLine();
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) return Fail(Error::Kind::kConfig, At("no header: the file is empty"));
     names.assign(fields_.begin(), fields_.end());
   }
   return Bind(names);
@@ -86,8 +81,14 @@ Result<std::size_t> CsvSource::IndexOf(const ColumnRef& column,
                                        const std::vector<std::string>& names) const {
   const auto* name = std::get_if<std::string>(&column);
   if (name == nullptr) return std::get<std::size_t>(column);
-  const auto found = std::find(names.begin(), names.end(), Trim(*name));
-  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
+  const auto found = std::find(names.begin(), names.end(), TrimField(*name));
+  if (found != names.end()) {
+    if (std::find(found + 1, names.end(), *found) == names.end()) {
+      return static_cast<std::size_t>(found - names.begin());
+    }
+    return Fail(Error::Kind::kConfig,
+                At(fmt::format("the header has '{}' twice: give the column's index", *name)));
+  }
   return Fail(Error::Kind::kConfig,
               At(fmt::format("no column '{}' among {} (delimiter '{}'): is the delimiter right?",
                              *name, names.size(), map_.delimiter)));
@@ -129,22 +130,10 @@ Result<double> CsvSource::Number(std::size_t index) const {
     return Fail(Error::Kind::kConfig, At(fmt::format("the row has {} fields, column {} is wanted",
                                                      fields_.size(), index + 1)));
   }
-  std::string_view field = fields_[index];
-  if (field.empty()) return std::numeric_limits<double>::quiet_NaN();
-  if (field.front() == '+') field.remove_prefix(1);
-  std::array<char, 64> copy;
-  if (map_.decimal != '.' && field.size() <= copy.size()) {
-    std::replace_copy(field.begin(), field.end(), copy.begin(), map_.decimal, '.');
-    field = {copy.data(), field.size()};
-  }
-  double value = 0;
-  const auto parsed = std::from_chars(field.data(), field.data() + field.size(), value);
-  if (parsed.ec != std::errc() || parsed.ptr != field.data() + field.size() ||
-      !std::isfinite(value)) {
-    return Fail(Error::Kind::kConfig,
-                At(fmt::format("column {}: '{}' is no finite number", index + 1, fields_[index])));
-  }
-  return value;
+  if (fields_[index].empty()) return std::numeric_limits<double>::quiet_NaN();
+  if (const auto value = ParseNumber(fields_[index], map_.decimal)) return *value;
+  return Fail(Error::Kind::kConfig,
+              At(fmt::format("column {}: '{}' is no finite number", index + 1, fields_[index])));
 }
 
 Result<bool> CsvSource::Passes() const {
@@ -165,45 +154,55 @@ Result<Row> CsvSource::ParseRow() const {
   for (const Bound& column : columns_) {
     const auto value = Number(column.index);
     if (!value) return tl::unexpected(value.error());
-    row[column.channel] = *value * column.scale + column.offset;
+    const double scaled = *value * column.scale + column.offset;
+    if (std::isinf(scaled)) {
+      return Fail(Error::Kind::kConfig, At(fmt::format("column {}: '{}' is too large once scaled",
+                                                       column.index + 1, fields_[column.index])));
+    }
+    row[column.channel] = scaled;
   }
-  return row;
+  if (!has(Channel::kTime) || counted()) return row;
+  const double t_s = row[Channel::kTime];
+  if (std::isnan(t_s)) return Fail(Error::Kind::kConfig, At("a row without a time"));
+  if (std::fabs(t_s) <= kMaxTimeS) return row;
+  return Fail(Error::Kind::kConfig, At(fmt::format("a time of {} s: is its unit right?", t_s)));
+}
+
+bool CsvSource::counted() const {
+  return map_.sample_hz > 0 && std::none_of(columns_.begin(), columns_.end(), [](const Bound& c) {
+           return c.channel == Channel::kTime;
+         });
 }
 
 Status CsvSource::Clock(Row& row) {
   double& t_s = row[Channel::kTime];
-  const bool counted = std::none_of(columns_.begin(), columns_.end(), [](const Bound& column) {
-    return column.channel == Channel::kTime;
-  });
-  if (counted && map_.sample_hz > 0) t_s = static_cast<double>(rows_) / map_.sample_hz;
-  if (has(Channel::kTime)) {
-    if (std::isnan(t_s)) return Fail(Error::Kind::kConfig, At("a row without a time"));
-    if (rows_ > 0 && t_s < last_t_s_) {
-      return Fail(Error::Kind::kConfig,
-                  At(fmt::format("time goes backwards: {} s after {} s", t_s, last_t_s_)));
-    }
-    last_t_s_ = t_s;
+  if (counted()) t_s = static_cast<double>(rows_) / map_.sample_hz;
+  if (rows_ > 0 && t_s < last_t_s_) {
+    return Fail(Error::Kind::kConfig,
+                At(fmt::format("time goes backwards: {} s after {} s", t_s, last_t_s_)));
   }
+  last_t_s_ = t_s;
   ++rows_;
   return {};
 }
 
 Result<std::optional<Row>> CsvSource::Next() {
-  while (NextLine()) {
-    Split();
+  for (;;) {
+    const auto more = NextLine();
+    if (!more) return tl::unexpected(more.error());
+    if (!*more) return std::optional<Row>();
     const auto passes = Passes();
     if (passes && !*passes) continue;
     auto row = passes ? ParseRow() : Result<Row>(tl::unexpected(passes.error()));
-    if (!row && (torn_ || map_.skip_bad_rows)) {
-      ++skipped_rows_;
-      continue;
+    const bool readable = row.has_value();
+    if (readable) {
+      if (const Status clocked = Clock(*row); !clocked) row = tl::unexpected(clocked.error());
     }
-    if (!row) return tl::unexpected(row.error());
-    if (Status status = Clock(*row); !status) return tl::unexpected(status.error());
-    return std::optional<Row>(*row);
+    if (row) return std::optional<Row>(*row);
+    // One wild time would take all rows behind it along: that is for people to look at.
+    if (!torn_ && (readable || !map_.skip_bad_rows)) return tl::unexpected(row.error());
+    ++skipped_rows_;
   }
-  if (in_.bad()) return Fail(Error::Kind::kFile, path_.string() + ": cannot be read");
-  return std::optional<Row>();
 }
 
 }  // namespace zrobench

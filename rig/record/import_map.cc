@@ -1,15 +1,13 @@
 #include "rig/record/import_map.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <toml++/toml.h>
-#include <algorithm>
-#include <initializer_list>
 #include <numbers>
 #include <utility>
 
+#include "core/toml_reader.h"
 #include "core/units.h"
-#include "rig/record/run_folder.h"
 
 namespace zrobench {
 namespace {
@@ -46,152 +44,115 @@ constexpr Unit kUnits[] = {
     {"_pct", "1", 100, 0},
     {"_v", "V", 1, 0},
     {"_v", "mV", 1e-3, 0},
+    {"_db", "dB", 1, 0},
     {"_hz", "Hz", 1, 0},
     {"_hz", "kHz", 1e3, 0},
 };
 
-/// Reads one file's tables; collects every complaint with its place.
-class MapReader {
- public:
-  explicit MapReader(std::string file) : file_(std::move(file)) {}
-
-  ImportMap Read(const toml::table& root) {
-    Allow(root, {"schema", "name", "about", "csv", "keep", "channel"});
-    if (Get<std::int64_t>(root, "schema", 0) != 1) Complain(root, "schema = 1 expected");
-    map_.name = Get<std::string>(root, "name", "");
-    if (const auto* csv = Table(root, "csv")) ReadCsv(*csv);
-    if (const auto* node = root.get("keep")) ReadFilters(*node);
-    if (const auto* channels = Table(root, "channel")) ReadChannels(*channels);
-    if (map_.columns.empty()) Complain(root, "[channel] names no column");
-    return std::move(map_);
+void ReadCsv(TableReader csv, ImportMap* map) {
+  csv.Character("delimiter", &map->delimiter);
+  csv.Character("decimal", &map->decimal);
+  if (map->decimal != '.' && map->decimal != ',') {
+    csv.Complain("decimal", "decimal must be \".\" or \",\"");
   }
-  const std::string& errors() const { return errors_; }
-
- private:
-  void Complain(const toml::node& at, std::string_view what) {
-    if (!errors_.empty()) errors_ += '\n';
-    errors_ += fmt::format("{}:{}:{}: error: {}", file_, at.source().begin.line,
-                           at.source().begin.column, what);
+  if (map->decimal == map->delimiter) {
+    csv.Complain("delimiter", "delimiter and decimal sign are the same");
   }
-  void Allow(const toml::table& table, std::initializer_list<std::string_view> keys) {
-    for (const auto& [key, value] : table) {
-      if (std::find(keys.begin(), keys.end(), key.str()) == keys.end()) {
-        Complain(value, fmt::format("unknown key '{}'", key.str()));
-      }
+  csv.Flag("header", &map->header);
+  csv.Count("skip_lines", &map->skip_lines, Range::Between(0, 1e6));
+  csv.Text("comment", &map->comment);
+  csv.Number("sample_hz", &map->sample_hz, Range::Positive(1e6));
+  std::string bad_rows = "error";
+  csv.Choice("bad_rows", &bad_rows, {"error", "skip"});
+  map->skip_bad_rows = bad_rows == "skip";
+  csv.RefuseOtherKeys();
+}
+
+ColumnRef ReadColumn(TableReader* reader, bool header) {
+  reader->Require({"column"});
+  if (!reader->Has("column")) return std::size_t{0};
+  const toml::node& node = *reader->table()->get("column");
+  if (const auto name = node.value_exact<std::string>()) {
+    if (!header) {
+      reader->Complain("column", "a column's name needs a header; give its index from 0");
     }
+    return *name;
   }
-  const toml::table* Table(const toml::table& table, std::string_view key) {
-    const auto* node = table.get(key);
-    if (node == nullptr) return nullptr;
-    if (!node->is_table()) Complain(*node, fmt::format("'{}' must be a table", key));
-    return node->as_table();
-  }
-  template <typename T>
-  std::optional<T> Find(const toml::table& table, std::string_view key) {
-    const auto* node = table.get(key);
-    if (node == nullptr) return std::nullopt;
-    const auto value = node->value<T>();
-    if (!value) Complain(*node, fmt::format("'{}' has the wrong type", key));
-    return value;
-  }
-  template <typename T>
-  T Get(const toml::table& table, std::string_view key, T otherwise) {
-    return Find<T>(table, key).value_or(std::move(otherwise));
-  }
-  char Character(const toml::table& table, std::string_view key, char otherwise) {
-    const auto text = Find<std::string>(table, key);
-    if (!text) return otherwise;
-    if (text->size() == 1) return text->front();
-    Complain(*table.get(key), fmt::format("'{}' must be one character", key));
-    return otherwise;
-  }
+  const auto index = node.value_exact<std::int64_t>();
+  if (index && *index >= 0) return static_cast<std::size_t>(*index);
+  reader->Complain("column", "column must be a header's name or an index from 0");
+  return std::size_t{0};
+}
 
-  void ReadCsv(const toml::table& csv) {
-    Allow(csv,
-          {"delimiter", "decimal", "header", "skip_lines", "comment", "sample_hz", "bad_rows"});
-    map_.delimiter = Character(csv, "delimiter", ',');
-    map_.decimal = Character(csv, "decimal", '.');
-    if (map_.decimal == map_.delimiter) Complain(csv, "delimiter and decimal sign are the same");
-    map_.header = Get<bool>(csv, "header", true);
-    const auto skip = Get<std::int64_t>(csv, "skip_lines", 0);
-    if (skip < 0) Complain(csv, "'skip_lines' must not be negative");
-    map_.skip_lines = static_cast<std::size_t>(std::max<std::int64_t>(skip, 0));
-    map_.comment = Get<std::string>(csv, "comment", "");
-    map_.sample_hz = Get<double>(csv, "sample_hz", 0);
-    if (!(map_.sample_hz >= 0)) Complain(csv, "'sample_hz' must be positive");
-    const auto bad_rows = Get<std::string>(csv, "bad_rows", "error");
-    if (bad_rows != "error" && bad_rows != "skip") {
-      Complain(csv, "'bad_rows' must be \"error\" or \"skip\"");
-    }
-    map_.skip_bad_rows = bad_rows == "skip";
-  }
+std::optional<double> ReadBound(TableReader* reader, std::string_view key) {
+  double value = 0;
+  return reader->Number(key, &value, Range::Any()) ? std::optional(value) : std::nullopt;
+}
 
-  ColumnRef Column(const toml::table& table) {
-    const auto* node = table.get("column");
-    if (node == nullptr) {
-      Complain(table, "'column' is missing: a header's name or an index from 0");
-    } else if (const auto name = node->value_exact<std::string>()) {
-      if (!map_.header) Complain(*node, "a column's name needs a header; give its index from 0");
-      return *name;
-    } else if (const auto index = node->value_exact<std::int64_t>(); index && *index >= 0) {
-      return static_cast<std::size_t>(*index);
+void ReadFilter(TableReader reader, ImportMap* map) {
+  RowFilter filter{ReadColumn(&reader, map->header), std::nullopt, ReadBound(&reader, "at_least"),
+                   ReadBound(&reader, "at_most")};
+  if (std::string text; reader.Text("equals", &text)) filter.equals = text;
+  reader.RefuseOtherKeys();
+  if (!reader.Has("equals") && !reader.Has("at_least") && !reader.Has("at_most")) {
+    reader.Complain("", "[[keep]] needs equals, at_least or at_most");
+  }
+  map->filters.push_back(std::move(filter));
+}
+
+std::string UnitsOf(Channel channel) {
+  std::vector<std::string_view> units;
+  for (const Unit& known : kUnits) {
+    if (kChannelNames[Index(channel)].ends_with(known.suffix)) units.push_back(known.unit);
+  }
+  return units.empty() ? "it takes none" : fmt::format("known: {}", fmt::join(units, ", "));
+}
+
+void ReadChannel(TableReader reader, Channel channel, ImportMap* map) {
+  MappedColumn mapped{channel, ReadColumn(&reader, map->header)};
+  reader.Number("scale", &mapped.scale, Range::Any());
+  reader.Number("offset", &mapped.offset, Range::Any());
+  if (std::string unit; reader.Text("unit", &unit)) {
+    if (const auto conversion = ConvertUnit(unit, channel)) {
+      mapped.scale *= conversion->scale;
+      mapped.offset = mapped.offset * conversion->scale + conversion->offset;
     } else {
-      Complain(*node, "'column' must be a header's name or an index from 0");
-    }
-    return std::size_t{0};
-  }
-
-  void ReadFilters(const toml::node& node) {
-    const auto* filters = node.as_array();
-    if (filters == nullptr || !filters->is_array_of_tables()) {
-      return Complain(node, "'keep' must be [[keep]] tables");
-    }
-    for (const auto& element : *filters) {
-      const auto& table = *element.as_table();
-      Allow(table, {"column", "equals", "at_least", "at_most"});
-      RowFilter filter{Column(table), Find<std::string>(table, "equals"),
-                       Find<double>(table, "at_least"), Find<double>(table, "at_most")};
-      if (!filter.equals && !filter.at_least && !filter.at_most) {
-        Complain(table, "[[keep]] needs 'equals', 'at_least' or 'at_most'");
-      }
-      map_.filters.push_back(std::move(filter));
+      reader.Complain(
+          "unit", fmt::format("'{}' is no unit of {}; {}", unit, reader.name(), UnitsOf(channel)));
     }
   }
+  reader.RefuseOtherKeys();
+  map->columns.push_back(std::move(mapped));
+}
 
-  void ReadChannels(const toml::table& channels) {
-    for (const auto& [key, node] : channels) {
-      const auto channel = ChannelNamed(key.str());
-      if (!channel) {
-        Complain(node, fmt::format("unknown channel '{}'", key.str()));
-      } else if (!node.is_table()) {
-        Complain(node, fmt::format("channel '{}' must be a table with 'column'", key.str()));
-      } else {
-        ReadChannel(*channel, *node.as_table());
-      }
-    }
+void ReadChannels(TableReader reader, ImportMap* map) {
+  for (std::size_t i = 0; i < kChannels; ++i) {
+    const TableReader table = reader.Table(kChannelNames[i]);
+    if (table.present()) ReadChannel(table, static_cast<Channel>(i), map);
   }
+  reader.RefuseOtherKeys();
+  if (reader.keys().empty()) reader.Complain("", "[channel] names no column");
+}
 
-  void ReadChannel(Channel channel, const toml::table& table) {
-    Allow(table, {"column", "scale", "offset", "unit"});
-    MappedColumn mapped{channel, Column(table), Get<double>(table, "scale", 1),
-                        Get<double>(table, "offset", 0)};
-    if (const auto unit = Find<std::string>(table, "unit")) {
-      const auto conversion = ConvertUnit(*unit, channel);
-      if (!conversion) {
-        Complain(*table.get("unit"),
-                 fmt::format("'{}' is no unit of {}", *unit, kChannelNames[Index(channel)]));
-      } else {
-        mapped.scale *= conversion->scale;
-        mapped.offset = mapped.offset * conversion->scale + conversion->offset;
-      }
-    }
-    map_.columns.push_back(std::move(mapped));
+TableReader Section(TableReader* file, std::string_view key) {
+  const TableReader table = file->Table(key);
+  return {table.table(), fmt::format("[{}]", key), file->diagnostics()};
+}
+
+void ReadMap(TableReader file, ImportMap* map) {
+  double schema = 1;
+  file.Number("schema", &schema, Range::Between(1, 1));
+  file.Text("name", &map->name);
+  std::string about;  // for people alone
+  file.Text("about", &about);
+  file.Require({"schema", "channel"});
+  ReadCsv(Section(&file, "csv"), map);
+  for (const TableReader& keep : file.Tables("keep")) ReadFilter(keep, map);
+  if (const TableReader channels = Section(&file, "channel"); channels.present()) {
+    ReadChannels(channels, map);
   }
-
-  std::string file_;
-  std::string errors_;
-  ImportMap map_;
-};
+  file.RefuseOtherKeys();
+}
 
 }  // namespace
 
@@ -211,20 +172,13 @@ std::optional<UnitConversion> ConvertUnit(std::string_view unit, Channel channel
 }
 
 Result<ImportMap> LoadImportMap(const std::filesystem::path& path) {
-  const auto text = ReadFile(path);
-  if (!text) return Fail(Error::Kind::kConfig, text.error().message);
-  const std::string file = path.string();
-  try {
-    const toml::table root = toml::parse(std::string_view(*text), std::string_view(file));
-    MapReader reader(file);
-    ImportMap map = reader.Read(root);
-    if (!reader.errors().empty()) return Fail(Error::Kind::kConfig, reader.errors());
-    return map;
-  } catch (const toml::parse_error& error) {
-    return Fail(Error::Kind::kConfig,
-                fmt::format("{}:{}:{}: error: {}", file, error.source().begin.line,
-                            error.source().begin.column, error.description()));
-  }
+  const auto file = ReadToml(path);
+  if (!file) return Fail(Error::Kind::kConfig, file.error().message);
+  Diagnostics diagnostics(path.string());
+  ImportMap map;
+  ReadMap(TableReader(&file->root, "an import map", &diagnostics), &map);
+  if (!diagnostics.empty()) return tl::unexpected(diagnostics.error());
+  return map;
 }
 
 }  // namespace zrobench

@@ -31,6 +31,25 @@ std::vector<PlannedBoot> PlannedBoots(const ReplayOptions& options) {
   return boots;
 }
 
+/// Times that are none, and outputs that would destroy what is read.
+Status CheckOptions(const std::filesystem::path& recording, const ReplayOptions& options) {
+  for (const PlannedBoot& boot : PlannedBoots(options)) {
+    if (!std::isfinite(boot.at_s)) {
+      return Fail(Error::Kind::kConfig, "a reboot or cut wants a time in seconds");
+    }
+  }
+  for (const auto& out : {options.estimates, options.decisions, options.table}) {
+    for (const auto& in : {std::optional(recording), options.map, options.factory}) {
+      std::error_code absent;
+      if (out && in && std::filesystem::equivalent(*out, *in, absent)) {
+        return Fail(Error::Kind::kConfig,
+                    fmt::format("{}: would be overwritten while it is read", out->string()));
+      }
+    }
+  }
+  return {};
+}
+
 /// A reading that was written: new, merged, overwritten, or a shift confirmed by it.
 bool Wrote(zro::Code code) {
   return code == zro::Code::kNew || code == zro::Code::kMerged ||
@@ -109,12 +128,13 @@ class ReplayRun final : public ReplaySink {
       if (planned_[next_boot_].orderly) OnStore();
       Boot();
     }
+    summary_.planned_boots = next_boot_;
     return next_boot_ != before;
   }
 
   void UpdateDate(double t_s) {
     if (!options_.start) return;
-    const std::uint16_t days = CanopenDays(*options_.start + FromSeconds(t_s).count());
+    const std::uint16_t days = CanopenDays(*options_.start + FromSeconds(t_s - first_s_).count());
     if (days == date_) return;
     date_ = days;
     corrector_->SetDate(days);
@@ -165,6 +185,9 @@ Status Configure(ReplayInput& input, ReplaySummary& summary) {
 }  // namespace
 
 Result<ReplaySummary> Replay(const std::filesystem::path& recording, const ReplayOptions& options) {
+  if (Status status = CheckOptions(recording, options); !status) {
+    return tl::unexpected(status.error());
+  }
   auto input = OpenReplayInput(recording, options.map);
   if (!input) return tl::unexpected(input.error());
   ReplaySummary summary;

@@ -3,33 +3,22 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
-#include <fstream>
+#include <sstream>
 #include <vector>
 
+#include "core/text_file.h"
+#include "rig/record/csv_text.h"
 #include "rig/record/utc_text.h"
 
 namespace zrobench {
 namespace {
 
 constexpr float kFactorySigmaDps = 0.005f;  ///< where the file does not say
+constexpr double kMostOfAFactory = 1e6;     ///< beyond are slips; well inside a float
 constexpr std::array<std::string_view, 5> kFactoryColumns = {"temp_degc", "zro_x_dps", "zro_y_dps",
                                                              "zro_z_dps", "sigma_dps"};
-
-std::vector<std::string> Fields(std::string line) {
-  std::erase_if(line, [](char c) { return c == ' ' || c == '\r' || c == '\t'; });
-  std::vector<std::string> fields(1);
-  for (char c : line) {
-    if (c == ',') {
-      fields.emplace_back();
-    } else {
-      fields.back() += c;
-    }
-  }
-  return fields;
-}
 
 std::string Where(const std::filesystem::path& csv, std::size_t line, std::string_view what) {
   return fmt::format("{}:{}: error: {}", csv.string(), line, what);
@@ -37,7 +26,7 @@ std::string Where(const std::filesystem::path& csv, std::size_t line, std::strin
 
 /// Where each factory column stands in the header; npos for the optional one.
 Result<std::array<std::size_t, 5>> Locate(const std::filesystem::path& csv,
-                                          const std::vector<std::string>& header) {
+                                          const std::vector<std::string_view>& header) {
   std::array<std::size_t, 5> at{};
   for (std::size_t i = 0; i < at.size(); ++i) {
     const auto found = std::find(header.begin(), header.end(), kFactoryColumns[i]);
@@ -51,23 +40,26 @@ Result<std::array<std::size_t, 5>> Locate(const std::filesystem::path& csv,
   return at;
 }
 
-std::optional<float> Parse(const std::vector<std::string>& fields, std::size_t at) {
-  if (at >= fields.size()) return std::nullopt;
-  float value = 0;
-  const char* const end = fields[at].data() + fields[at].size();
-  const auto parsed = std::from_chars(fields[at].data(), end, value);
-  if (parsed.ec != std::errc() || parsed.ptr != end || !std::isfinite(value)) return std::nullopt;
-  return value;
+/// The row's numbers; nothing for the one column that may be left out or blank.
+Result<std::array<std::optional<float>, 5>> Numbers(const std::string& where,
+                                                    const std::vector<std::string_view>& fields,
+                                                    const std::array<std::size_t, 5>& at) {
+  std::array<std::optional<float>, 5> numbers;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::string_view field = at[i] < fields.size() ? fields[at[i]] : std::string_view();
+    if (field.empty() && i == 4) continue;
+    const auto value = ParseNumber(field);
+    if (!value || std::fabs(*value) > kMostOfAFactory) {
+      return Fail(Error::Kind::kConfig, fmt::format("{}{} is '{}': no number fit for a table",
+                                                    where, kFactoryColumns[i], field));
+    }
+    numbers[i] = static_cast<float>(*value);
+  }
+  return numbers;
 }
 
 Status AddEntry(const std::string& where, const std::array<std::optional<float>, 5>& numbers,
                 zro::Corrector& corrector) {
-  for (std::size_t i = 0; i < 4; ++i) {
-    if (!numbers[i]) {
-      return Fail(Error::Kind::kConfig,
-                  fmt::format("{}{} is no finite number", where, kFactoryColumns[i]));
-    }
-  }
   const float zro_dps[3] = {*numbers[1], *numbers[2], *numbers[3]};
   if (corrector.AddFactoryEntry(*numbers[0], zro_dps, numbers[4].value_or(kFactorySigmaDps))) {
     return {};
@@ -100,20 +92,22 @@ Status CsvFile::Close() {
 }
 
 Status AddFactoryEntries(const std::filesystem::path& csv, zro::Corrector& corrector) {
-  std::ifstream in(csv);
+  const auto text = ReadTextFile(csv);
+  if (!text) return Fail(Error::Kind::kConfig, text.error().message);
+  std::istringstream in(text->starts_with("\xEF\xBB\xBF") ? text->substr(3) : *text);
   std::string line;
-  if (!in || !std::getline(in, line)) {
-    return Fail(Error::Kind::kConfig, fmt::format("{}: cannot be read or is empty", csv.string()));
-  }
-  const auto at = Locate(csv, Fields(line));
+  if (!std::getline(in, line)) return Fail(Error::Kind::kConfig, csv.string() + ": is empty");
+  std::vector<std::string_view> fields;
+  SplitLine(line, ',', &fields);
+  const auto at = Locate(csv, fields);
   if (!at) return tl::unexpected(at.error());
   for (std::size_t number = 2; std::getline(in, line); ++number) {
-    const auto fields = Fields(line);
-    if (fields.size() == 1 && fields[0].empty()) continue;
-    std::array<std::optional<float>, 5> numbers;
-    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = Parse(fields, (*at)[i]);
-    if (Status status = AddEntry(Where(csv, number, ""), numbers, corrector); !status)
-      return status;
+    if (TrimField(line).empty()) continue;
+    SplitLine(line, ',', &fields);
+    const std::string where = Where(csv, number, "");
+    const auto numbers = Numbers(where, fields, *at);
+    if (!numbers) return tl::unexpected(numbers.error());
+    if (Status status = AddEntry(where, *numbers, corrector); !status) return status;
   }
   static_cast<void>(corrector.Commit());  // RAM: cannot fail
   return {};

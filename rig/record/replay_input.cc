@@ -32,6 +32,11 @@ Result<std::unique_ptr<ReplayInput>> OpenReplayInput(
     if (!folder) return Fail(Error::Kind::kConfig, folder.error().message);
     return OpenRecordInput(folder->record_path());
   }
+  // A recording is read several times over: a pipe cannot be.
+  if (std::filesystem::exists(recording, error) &&
+      !std::filesystem::is_regular_file(recording, error)) {
+    return Fail(Error::Kind::kConfig, recording.string() + ": is neither a file nor a run folder");
+  }
   return IsUlog(recording) ? OpenRecordInput(recording) : OpenCsvInput(recording, map);
 }
 

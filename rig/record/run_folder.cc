@@ -7,10 +7,9 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <system_error>
 
+#include "core/text_file.h"
 #include "rig/record/utc_text.h"
 
 namespace zrobench {
@@ -97,7 +96,7 @@ Status RunFolder::WriteManifest(const RunManifest& manifest) const {
 }
 
 Result<RunManifest> RunFolder::ReadManifest() const {
-  const auto text = ReadFile(run_json_path());
+  const auto text = ReadTextFile(run_json_path());
   if (!text) return tl::unexpected(text.error());
   auto manifest = ManifestFromJson(*text);
   if (!manifest) {
@@ -121,14 +120,6 @@ Status WriteFileAtomically(const std::filesystem::path& path, std::string_view t
   }
   SyncFolder(path.parent_path());
   return {};
-}
-
-Result<std::string> ReadFile(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return FileError(path, "cannot be opened", errno);
-  std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (in.bad()) return FileError(path, "cannot be read", EIO);
-  return text;
 }
 
 }  // namespace zrobench

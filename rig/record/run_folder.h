@@ -42,6 +42,5 @@ class RunFolder {
 /// Replaces the file's text so that a reader, or a power cut, finds the old one or the new one:
 /// temporary file, fsync, rename.
 Status WriteFileAtomically(const std::filesystem::path& path, std::string_view text);
-Result<std::string> ReadFile(const std::filesystem::path& path);
 
 }  // namespace zrobench

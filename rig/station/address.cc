@@ -7,7 +7,7 @@
 #include <charconv>
 #include <vector>
 
-#include "rig/station/key_names.h"
+#include "core/key_names.h"
 
 namespace zrobench {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
+#include "core/toml_reader.h"
 #include "rig/physics/model.h"
-#include "rig/station/toml_reader.h"
 
 namespace zrobench {
 

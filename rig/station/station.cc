@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/toml_reader.h"
 #include "rig/station/address.h"
 #include "rig/station/model_tables.h"
-#include "rig/station/toml_reader.h"
 
 namespace zrobench {
 namespace {

@@ -168,11 +168,35 @@ gyro_q_dps = { column = "g" }
 gyro_x_dps = { scale = "two" })")
                          .error;
   for (const char* part :
-       {"map.toml:4:13: error: 'delimiter' must be one character", "unknown key 'colour'",
-        "[[keep]] needs", "'furlong' is no unit of t_s", "unknown channel 'gyro_q_dps'",
-        "'column' is missing", "'scale' has the wrong type"}) {
+       {"map.toml:4:13: error: delimiter must be one character",
+        "map.toml:5:1: error: 'colour' is not a key of [csv]", "[[keep]] needs",
+        "'furlong' is no unit of t_s; known: s, ms",
+        "map.toml:10:1: error: 'gyro_q_dps' is not a key of [channel]; did you mean 'gyro_x_dps'?",
+        "'column' is missing in gyro_x_dps", "scale must be a number, not a text"}) {
     EXPECT_NE(error.find(part), std::string::npos) << part << "\n" << error;
   }
+}
+
+TEST_F(ImportTest, QuotedFieldsKeepTheirDelimitersAndTheMarkInFrontIsNoName) {
+  const auto got = ReadCsv("\xEF\xBB\xBFt_s,\"note, free\",gyro_x_dps\r\n0,\"a,\"\"b\",1.5\r\n");
+  ASSERT_EQ(got.rows.size(), 1u) << got.error;
+  EXPECT_EQ(got.rows[0][Channel::kGyroX], 1.5);
+}
+
+TEST_F(ImportTest, WhatCouldBeReadWronglyIsRefused) {
+  const std::string comma =
+      "[csv]\ndelimiter = \";\"\ndecimal = \",\"\n[channel]\n"
+      "gyro_x_dps = { column = \"w\" }";
+  EXPECT_NE(ReadCsv("w\n1.234\n", comma).error.find("'1.234' is no finite number"),
+            std::string::npos);
+  const std::string named = "[channel]\ngyro_x_dps = { column = \"w\" }";
+  EXPECT_NE(ReadCsv("w,w\n1,2\n", named).error.find("'w' twice"), std::string::npos);
+  const std::string huge = "[channel]\ngyro_x_dps = { column = \"w\", scale = 1e10 }";
+  EXPECT_NE(ReadCsv("w\n1e300\n", huge).error.find("too large once scaled"), std::string::npos);
+  EXPECT_NE(ReadCsv("t_s,gyro_x_dps\n1e12,1\n").error.find("is its unit right?"),
+            std::string::npos);
+  EXPECT_NE(ReadCsv("t_s,seq\n" + std::string(70000, '1')).error.find("this is no CSV"),
+            std::string::npos);
 }
 
 TEST_F(ImportTest, BrokenTomlIsPlaced) {

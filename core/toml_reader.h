@@ -1,5 +1,5 @@
 #pragma once
-// Typed, range-checked access to a TOML file, shared by station and profile. Nothing here throws or
+// Typed, range-checked access to a TOML file: station, profile, import map. Nothing here throws or
 // stops at the first fault: what is wrong goes into Diagnostics, the value keeps its default.
 #include <toml++/toml.h>
 #include <filesystem>
@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "core/clock.h"
+#include "core/diagnostics.h"
 #include "core/result.h"
-#include "rig/station/diagnostics.h"
 
 namespace zrobench {
 
@@ -68,8 +68,12 @@ class TableReader {
 
   bool Has(std::string_view key);
   bool Number(std::string_view key, double* out, const Range& range);
+  /// A whole number; `range` lies within 0..2^53.
+  bool Count(std::string_view key, std::size_t* out, const Range& range);
   bool Flag(std::string_view key, bool* out);
   bool Text(std::string_view key, std::string* out);
+  /// A text of one byte.
+  bool Character(std::string_view key, char* out);
   /// One of `allowed`.
   bool Choice(std::string_view key, std::string* out, const std::vector<std::string>& allowed);
   /// Between `min_size` and `max_size` numbers.

@@ -1,17 +1,14 @@
-#include "rig/station/toml_reader.h"
+#include "core/toml_reader.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
 #include <cmath>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 
-#include "rig/station/key_names.h"
+#include "core/key_names.h"
+#include "core/text_file.h"
 
 namespace zrobench {
 namespace {
@@ -71,14 +68,9 @@ Place PlaceOf(const toml::node& node) { return PlaceOf(node.source().begin); }
 Place PlaceOf(const toml::key& key) { return PlaceOf(key.source().begin); }
 
 Result<TomlFile> ReadToml(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::error_code ignored;
-  if (!in || std::filesystem::is_directory(path, ignored)) {
-    return Fail(Error::Kind::kFile, fmt::format("{}: error: cannot read it: {}", path.string(),
-                                                in ? "is a directory" : std::strerror(errno)));
-  }
-  TomlFile file;
-  file.text.assign(std::istreambuf_iterator<char>(in), {});
+  auto text = ReadTextFile(path);
+  if (!text) return tl::unexpected(text.error());
+  TomlFile file{std::move(*text), {}};
   const std::string name = path.string();
   try {
     file.root = toml::parse(file.text, std::string_view(name));
@@ -135,7 +127,9 @@ bool TableReader::WrongType(const toml::node& node, std::string_view key, std::s
 bool TableReader::NumberOf(const toml::node& node, std::string_view key, const Range& range,
                            double* out) {
   if (!node.is_number()) return WrongType(node, key, "a number");
-  const double value = *node.value<double>();
+  // node.value<double>() gives nothing for integers beyond 2^53.
+  const double value = node.is_integer() ? static_cast<double>(node.as_integer()->get())
+                                         : node.as_floating_point()->get();
   if (!std::isfinite(value)) {
     diagnostics_->Add(PlaceOf(node), fmt::format("{} must be a finite number", key));
     return false;
@@ -154,6 +148,17 @@ bool TableReader::Number(std::string_view key, double* out, const Range& range) 
   return node && NumberOf(*node, key, range, out);
 }
 
+bool TableReader::Count(std::string_view key, std::size_t* out, const Range& range) {
+  double value = 0;
+  if (!Number(key, &value, range)) return false;
+  if (value != std::floor(value)) {
+    Complain(key, fmt::format("{} must be a whole number", key));
+    return false;
+  }
+  *out = static_cast<std::size_t>(value);
+  return true;
+}
+
 bool TableReader::Flag(std::string_view key, bool* out) {
   const toml::node* node = Find(key);
   if (!node) return false;
@@ -167,6 +172,17 @@ bool TableReader::Text(std::string_view key, std::string* out) {
   if (!node) return false;
   if (!node->is_string()) return WrongType(*node, key, "a text");
   *out = node->as_string()->get();
+  return true;
+}
+
+bool TableReader::Character(std::string_view key, char* out) {
+  std::string text;
+  if (!Text(key, &text)) return false;
+  if (text.size() != 1) {
+    Complain(key, fmt::format("{} must be one character", key));
+    return false;
+  }
+  *out = text.front();
   return true;
 }
 

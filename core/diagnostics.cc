@@ -1,4 +1,4 @@
-#include "rig/station/diagnostics.h"
+#include "core/diagnostics.h"
 
 #include <fmt/format.h>
 

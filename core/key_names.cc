@@ -1,4 +1,4 @@
-#include "rig/station/key_names.h"
+#include "core/key_names.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
