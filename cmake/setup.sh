@@ -50,7 +50,7 @@ configure() {
     grep -qxF -- "$option" "$dir/.configured" 2>/dev/null || rm -f "$dir/.configured"
   done
   [[ -f $dir/build.ninja && -f $dir/.configured ]] && return 0
-  (cd "$root" && run_quietly "configuring $preset" cmake --preset "$preset" "${@/#/-D}")
+  (cd "$root" && run_quietly "configuring $preset" cmake --preset "$preset" "${@/#/-D}") || return
   printf '%s\n' "" "$@" >"$dir/.configured"
 }
 
