@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "rig/profile/profile.h"
-#include "tests/unit/station/text_file.h"
+#include "tests/unit/core/toml_text.h"
 
 namespace zrobench {
 namespace {

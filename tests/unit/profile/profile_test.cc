@@ -5,7 +5,7 @@
 #include <set>
 
 #include "rig/profile/plan.h"
-#include "tests/unit/station/text_file.h"
+#include "tests/unit/core/toml_text.h"
 
 namespace zrobench {
 namespace {
