@@ -33,7 +33,7 @@ Result<std::unique_ptr<Writer>> Writer::Create(const std::filesystem::path& path
   }
   // A message larger than a block waits alone.
   writer->buffer_ = std::make_unique<std::uint8_t[]>(kMaxMessageBytes + kMessageHeaderBytes);
-  writer->last_sync_ = std::chrono::steady_clock::now();
+  writer->last_sync_ = writer->clock_.now();
   std::memcpy(writer->buffer_.get(), kMagic.data(), kMagic.size());
   std::memcpy(writer->buffer_.get() + kMagic.size(), &start_us, sizeof start_us);
   writer->used_ = kHeaderBytes;
@@ -102,7 +102,7 @@ void Writer::WriteOut() {
 }
 
 void Writer::SyncIfDue() {
-  const auto now = std::chrono::steady_clock::now();
+  const Instant now = clock_.now();
   if (now - last_sync_ < std::chrono::seconds(1)) return;
   last_sync_ = now;
   // EINVAL: a pipe or device, which has nothing to sync.

@@ -1,6 +1,5 @@
 #pragma once
 #include <array>
-#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -8,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/clock.h"
 #include "core/result.h"
 #include "rig/record/ulog.h"
 
@@ -75,7 +75,8 @@ class Writer {
   int fd_ = -1;
   Status status_;
   std::uint64_t written_ = 0;
-  std::chrono::steady_clock::time_point last_sync_{};
+  RealClock clock_;  ///< real time, even on the virtual rig: the disk knows no other
+  Instant last_sync_{};
   std::unique_ptr<std::uint8_t[]> buffer_;
   std::size_t used_ = 0;
   std::size_t limit_ = kBlockBytes;  ///< more only while one message larger than a block waits
