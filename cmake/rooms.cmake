@@ -14,6 +14,9 @@ function(zrobench_room name)
   target_link_libraries(${name} PUBLIC zrobench_options ${ARG_DEPS})
 endfunction()
 
+# What ./run-tests builds a second time, with sanitizers.
+add_custom_target(sanitized_tests)
+
 # zrobench_test(NAME [LABELS l ...] SOURCES a_test.cc ... DEPS lib ...)
 function(zrobench_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;LABELS" ${ARGN})
@@ -22,6 +25,9 @@ function(zrobench_test name)
   target_compile_definitions(${name} PRIVATE ZROBENCH_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   if(NOT ARG_LABELS)
     set(ARG_LABELS unit)
+  endif()
+  if(ARG_LABELS MATCHES "^(unit|crash)$")
+    add_dependencies(sanitized_tests ${name})
   endif()
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
     PROPERTIES LABELS ${ARG_LABELS} TIMEOUT 300)
