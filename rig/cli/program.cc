@@ -21,6 +21,7 @@ int RunCommandLine(int argc, char** argv) {
   AddRunVerb(app, exit_code);
   AddCheckVerb(app, exit_code);
   AddReplayVerb(app, exit_code);
+  AddReportVerb(app, exit_code);
   try {
     app.parse(argc, argv);
     return exit_code;

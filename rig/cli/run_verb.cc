@@ -7,7 +7,7 @@
 #include "rig/cli/signals.h"
 #include "rig/cli/verbs.h"
 #include "rig/profile/plan.h"
-#include "rig/record/run_folder.h"
+#include "rig/report/files.h"
 #include "rig/report/text.h"
 #include "rig/run/run.h"
 #include "rig/virtual/virtual_rig.h"
@@ -44,7 +44,7 @@ void Print(const std::string& text) {
   static_cast<void>(std::fflush(stdout));
 }
 
-void PrintResult(const RunOutcome& outcome, const std::filesystem::path& report, bool json) {
+void PrintResult(const RunOutcome& outcome, bool json) {
   if (json) {
     auto object = Json::parse(ToJson(outcome.manifest));
     object["folder"] = outcome.folder.string();
@@ -52,8 +52,9 @@ void PrintResult(const RunOutcome& outcome, const std::filesystem::path& report,
     Print(object.dump(2, ' ', false, Json::error_handler_t::replace) + '\n');
     return;
   }
-  Print(fmt::format("\n{}\nreport: {}\n{}\n", VerdictTable(outcome.manifest, outcome.alarms),
-                    report.string(), CountLine(outcome.manifest)));
+  Print(fmt::format("\n{}\nreport: {}, as text report.txt\n{}\n",
+                    VerdictTable(outcome.manifest, outcome.alarms),
+                    (outcome.folder / "report.html").string(), CountLine(outcome.manifest)));
 }
 
 int Run(const RunOptions& options) {
@@ -80,9 +81,10 @@ int Run(const RunOptions& options) {
       {*profile, *station, options.seed, options.runs, CatchSignals(), quiet ? nullptr : &progress},
       instruments);
   if (!outcome) return Refuse(outcome.error(), kExitRigError, options.json);
-  const auto report = outcome->folder / "report.txt";
-  const Status kept = WriteFileAtomically(report, FullReport(outcome->manifest, outcome->alarms));
-  PrintResult(*outcome, report, options.json);
+  const auto folder = RunFolder::Open(outcome->folder);
+  const Status kept =
+      folder.and_then([&](const RunFolder& made) { return WriteReports(made, outcome->manifest); });
+  PrintResult(*outcome, options.json);
   const int exit_code = *outcome->manifest.exit_code;
   if (kept) return exit_code;
   static_cast<void>(std::fputs((kept.error().message + '\n').c_str(), stderr));

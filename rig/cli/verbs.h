@@ -7,6 +7,7 @@ namespace zrobench {
 void AddRunVerb(CLI::App& app, int& exit_code);
 void AddCheckVerb(CLI::App& app, int& exit_code);
 void AddReplayVerb(CLI::App& app, int& exit_code);
+void AddReportVerb(CLI::App& app, int& exit_code);
 
 /// Exit codes that do not come from a verdict (all of them: README).
 inline constexpr int kExitInvalid = 2, kExitRigError = 3, kExitInternal = 70;

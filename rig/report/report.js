@@ -18,7 +18,7 @@
     cross: (c, r) => { c.moveTo(-r, -r); c.lineTo(r, r); c.moveTo(r, -r); c.lineTo(-r, r); c.stroke(); },
   };
   const DASHES = {dashed: [7, 4], dotted: [2, 3]};
-  const graphs = [];  // {graph, div}: all of them, for printing
+  const graphs = [];  // {graph, div}: all of them
 
   function mark(context, shape, colour, size) {
     context.save();
@@ -76,7 +76,7 @@
   function draw(div, rows, options) {
     const graph = new Dygraph(div, rows, Object.assign({
       legend: 'never', pixelRatio: Math.max(2, window.devicePixelRatio || 1), labelsKMB: false,
-      gridLineColor: 'rgba(128,140,150,0.28)', axisLineColor: COLOUR.soft, axisLabelFontSize: 12.5,
+      gridLineColor: 'rgba(128,140,150,0.28)', axisLineColor: COLOUR.soft, axisLabelFontSize: 14,
       xLabelHeight: 18, yLabelWidth: 18, highlightSeriesBackgroundAlpha: 1, animatedZooms: false,
       digitsAfterDecimal: 3,
     }, options));
@@ -123,7 +123,7 @@
       labels: [labels.x, ...series.map(s => s.name)], series: bySeries, colors:
       series.map(s => s.colour), drawPoints: true, strokeWidth: 0, xlabel: labels.x, ylabel: labels.y,
       valueRange: fit, dateWindow: xs, highlightSeriesOpts: {strokeWidth: 0},
-      axes: {x: {valueFormatter: String, pixelsPerLabel: 70}, y: {axisLabelWidth: 56}},
+      axes: {x: {valueFormatter: String, pixelsPerLabel: 70}, y: {axisLabelWidth: 60}},
       underlayCallback: () => { drawn = {}; },
       drawCallback: () => { div.dataset.marks = JSON.stringify(drawn); },
       highlightCallback: (event, x, points, row, name) => { output.textContent = texts[row]; },
@@ -153,7 +153,7 @@
     const graph = draw(div, rows, {
       labels: ['t', ...series.map(s => s.name)], colors: series.map(s => s.colour),
       series: bySeries, strokeWidth: 1.4, xlabel: 't [s]', ylabel, valueRange: fit,
-      dateWindow: [0, data.duration_s], axes: {x: {pixelsPerLabel: 70}, y: {axisLabelWidth: 56}},
+      dateWindow: [0, data.duration_s], axes: {x: {pixelsPerLabel: 70}, y: {axisLabelWidth: 60}},
       underlayCallback: shade,
       highlightCallback: (event, x, points) => {
         output.textContent = `t = ${x.toFixed(1)} s: ` + points.filter(p => p.yval !== null)
@@ -254,10 +254,10 @@
   document.querySelector('#tones .note').append(' ',
     ...AXES.map((axis, a) => keyOfMark(axis, toneShapes[a], COLOUR[axis], 5.5)));
 
-  // Plots are pixels of a known width: on paper that of A4 within its margins.
-  window.addEventListener('beforeprint', () => graphs.forEach(({graph}) => graph.resize(700, 210)));
-  window.addEventListener('afterprint', () => graphs.forEach(({graph, div}) => {
-    div.style.width = div.style.height = '';
-    graph.resize();
-  }));
+  // A canvas keeps its pixels: paper shows it smaller instead of drawing it anew.
+  const PAPER_PX = 700;  // A4 within its margins
+  const fitPaper = () => graphs.forEach(({div}) => div.style.setProperty('--paper-zoom',
+    Math.min(1, PAPER_PX / Math.max(div.clientWidth, 1))));
+  window.addEventListener('resize', fitPaper);
+  fitPaper();
 })();
