@@ -17,6 +17,10 @@ constexpr std::array kGyro = {Channel::kGyroX, Channel::kGyroY, Channel::kGyroZ}
 constexpr std::array kAccel = {Channel::kAccelX, Channel::kAccelY, Channel::kAccelZ};
 constexpr double kHoldS = 5;         ///< a blank temperature stands for the last one
 constexpr double kGapPeriods = 2.5;  ///< below is a logger's jitter
+// Where the map states the rate, stamps are the host's and come in bursts: rows are consecutive
+// unless a stamp runs this far ahead of the count.
+constexpr double kBurstS = 0.5;
+constexpr double kFollow = 1e-3;  ///< share of the difference that the count takes up a row
 constexpr std::size_t kSurveySteps = 20000;
 
 bool AnyBlank(const Row& row, std::span<const Channel> channels) {
@@ -27,7 +31,8 @@ bool AnyBlank(const Row& row, std::span<const Channel> channels) {
 /// Makes samples of rows: holds what is not sampled at each row, counts the periods between rows.
 class RowSampler {
  public:
-  explicit RowSampler(double sample_hz) : sample_hz_(sample_hz) {}
+  RowSampler(double sample_hz, bool rate_is_stated)
+      : sample_hz_(sample_hz), rate_is_stated_(rate_is_stated) {}
 
   /// Nothing for a row without a gyro reading, or without any acceleration yet.
   std::optional<zro::Sample> Take(const Row& row) {
@@ -59,8 +64,10 @@ class RowSampler {
     has_accel_ = true;
   }
 
-  std::uint32_t Elapsed(const Row& row) const {
+  std::uint32_t Elapsed(const Row& row) {
+    if (!started_) counted_s_ = row[Channel::kTime];
     if (!started_) return 1;
+    if (rate_is_stated_) return ElapsedByCount(row[Channel::kTime]);
     const double periods = (row[Channel::kTime] - last_t_s_) * sample_hz_;
     const double by_seq = row[Channel::kSeq] - last_seq_;
     // A counter that wrapped or restarted says nothing: then time has to.
@@ -68,7 +75,20 @@ class RowSampler {
     return periods > kGapPeriods ? static_cast<std::uint32_t>(std::fmin(periods + 0.5, 4e9)) : 1;
   }
 
+  std::uint32_t ElapsedByCount(double t_s) {
+    counted_s_ += 1 / sample_hz_;
+    const double ahead_s = t_s - counted_s_;
+    if (ahead_s <= kBurstS) {
+      counted_s_ += kFollow * ahead_s;
+      return 1;
+    }
+    counted_s_ = t_s;
+    return 1 + static_cast<std::uint32_t>(std::fmin(ahead_s * sample_hz_ + 0.5, 4e9));
+  }
+
   double sample_hz_;
+  bool rate_is_stated_;
+  double counted_s_ = 0;
   double imu_degc_ = std::nan(""), temperature_at_s_ = -std::numeric_limits<double>::infinity();
   std::array<double, 3> accel_g_{};
   double last_t_s_ = 0, last_seq_ = 0;
@@ -106,7 +126,7 @@ class CsvInput final : public ReplayInput {
   Status Feed(ReplaySink& sink) override {
     auto source = CsvSource::Open(path_, map_);
     if (!source) return tl::unexpected(source.error());
-    RowSampler sampler(sample_hz_);
+    RowSampler sampler(sample_hz_, map_.sample_hz > 0);
     for (;;) {
       const auto row = source->Next();
       if (!row) return tl::unexpected(row.error());

@@ -94,6 +94,35 @@ TEST_F(ReplayTest, LearnsTheOffsetOfARestingGyroAndBeatsOneConstant) {
   EXPECT_LT(summary.errors.constant_rms_mdps(1), 12);
 }
 
+constexpr const char* kBurstMap =
+    "schema = 1\nname = \"bursts\"\n[csv]\n%RATE%[channel]\nt_s = { column = \"t_s\" }\n"
+    "imu_degc = { column = \"imu_degc\" }\ngyro_x_dps = { column = \"gyro_x_dps\" }\n"
+    "gyro_y_dps = { column = \"gyro_y_dps\" }\ngyro_z_dps = { column = \"gyro_z_dps\" }\n"
+    "accel_x_g = { column = \"accel_x_g\" }\naccel_y_g = { column = \"accel_y_g\" }\n"
+    "accel_z_g = { column = \"accel_z_g\" }\n";
+
+TEST_F(ReplayTest, AStatedRateCountsRowsThatComeInBurstsAndStillSeesAGap) {
+  Bench bench;
+  for (int i = 0; i < 6000; ++i) {  // ten rows at once, every 0.1 s; 20 s are missing in the middle
+    const double sent_s = 0.1 * (i / 10) + 0.001 * (i % 10) + (i < 3000 ? 0.0 : 20.0);
+    bench.Row(sent_s, 25);
+  }
+  const auto replay = [&](const std::string& rate) {
+    std::string map = kBurstMap;
+    map.replace(map.find("%RATE%"), 6, rate);
+    ReplayOptions options;
+    options.map = Write("map.toml", map);
+    return Run(bench.csv.str(), options);
+  };
+  const ReplaySummary counted = replay("sample_hz = 100\n");
+  EXPECT_EQ(counted.gaps, 1u);
+  EXPECT_NEAR(counted.config.sample_hz, 100, 1e-3);
+  EXPECT_EQ(counted.final_table.size(), 1);
+  const ReplaySummary stamped = replay("");  // the stamps alone say 1 kHz with holes
+  EXPECT_GT(stamped.gaps, 100u);
+  EXPECT_EQ(stamped.final_table.size(), 0);
+}
+
 TEST(ErrorTableTest, TheErrorIsThatOfTheEstimateBeforeTheReading) {
   ErrorTable errors;
   const float zero[3] = {}, first[3] = {1, 2, 3}, second[3] = {1.5f, 2, 3}, third[3] = {2, 2, 2};
@@ -257,22 +286,54 @@ TEST_F(ReplayTest, DataWithoutWhatLearningNeedsAreRefusedWithTheReason) {
   EXPECT_NE(Replay(Path("absent.csv"), {}).error().message.find("absent.csv"), std::string::npos);
 }
 
-TEST_F(ReplayTest, FreeImuColdStartIsLearnedFarBetterThanOneConstant) {
-  const char* const recordings = std::getenv("ZROBENCH_RECORDINGS");
-  if (recordings == nullptr) {
-    GTEST_SKIP() << "ZROBENCH_RECORDINGS names no folder of recordings: NOT TESTED on real data";
+/// Real recordings are too large for the repository: ZROBENCH_RECORDINGS names their folder.
+class RealRecordings : public ReplayTest {
+ protected:
+  void SetUp() override {
+    ReplayTest::SetUp();
+    const char* const recordings = std::getenv("ZROBENCH_RECORDINGS");
+    if (recordings == nullptr) {
+      GTEST_SKIP() << "ZROBENCH_RECORDINGS names no folder of recordings: NOT TESTED on real data";
+    }
+    recordings_ = recordings;
   }
-  ReplayOptions options;
-  options.map = ZROBENCH_SOURCE_DIR "/profiles/imports/freeimu_mpu6050.toml";
-  const auto summary = Replay(
-      std::filesystem::path(recordings) / "gyro_freeimu_mpu6050_coldstart/Tempdata01-02-14.csv",
-      options);
+  Result<ReplaySummary> Replayed(const std::string& file, const std::string& map) const {
+    ReplayOptions options;
+    options.map = ZROBENCH_SOURCE_DIR "/profiles/imports/" + map;
+    return Replay(recordings_ / file, options);
+  }
+  std::filesystem::path recordings_;
+};
+
+TEST_F(RealRecordings, FreeImuColdStartIsLearnedFarBetterThanOneConstant) {
+  const auto summary =
+      Replayed("gyro_freeimu_mpu6050_coldstart/Tempdata01-02-14.csv", "freeimu_mpu6050.toml");
   ASSERT_TRUE(summary.has_value()) << summary.error().message;
   EXPECT_EQ(summary->samples, 63792u);
   EXPECT_EQ(summary->gaps, 378u);
   EXPECT_GE(summary->errors.readings(), 10u);
   EXPECT_LT(summary->errors.corrector_rms_mdps(1), 0.25 * summary->errors.constant_rms_mdps(1));
   EXPECT_LT(summary->errors.corrector_rms_mdps(0), summary->errors.constant_rms_mdps(0));
+}
+
+TEST_F(RealRecordings, TenMinutesAtOneTemperatureMakeOneEntry) {
+  const auto summary =
+      Replayed("gyro_mpu6050_static_10min/mpu6050_static_10min.csv", "mpu6050_static.toml");
+  ASSERT_TRUE(summary.has_value()) << summary.error().message;
+  EXPECT_EQ(summary->samples, 65067u);
+  ASSERT_EQ(summary->final_table.size(), 1);
+  EXPECT_NEAR(summary->final_table[0].zro_dps[0], 4.53, 0.02);  // their own 30 s means
+  EXPECT_NEAR(summary->final_table[0].zro_dps[1], 0.05, 0.02);
+}
+
+TEST_F(RealRecordings, MeansAfterTurnsAndLogsWithoutTimeAreRefusedWithTheReason) {
+  const auto dwells =
+      Replayed("gyro_adxrs290_earthrate/T16-4_mereni_data.csv", "adxrs290_dwells.toml");
+  ASSERT_FALSE(dwells.has_value());
+  EXPECT_NE(dwells.error().message.find("stillness"), std::string::npos);
+  const auto putty = Replayed("gyro_bmi270_hot_cold/BMI_270_cold_test_.csv", "bmi270_putty.toml");
+  ASSERT_FALSE(putty.has_value());
+  EXPECT_NE(putty.error().message.find("t_s (or a sample rate"), std::string::npos);
 }
 
 }  // namespace
