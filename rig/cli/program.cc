@@ -20,6 +20,7 @@ int RunCommandLine(int argc, char** argv) {
   int exit_code = 0;
   AddRunVerb(app, exit_code);
   AddCheckVerb(app, exit_code);
+  AddPlanVerb(app, exit_code);
   AddReplayVerb(app, exit_code);
   AddReportVerb(app, exit_code);
   try {

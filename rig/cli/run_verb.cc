@@ -6,11 +6,10 @@
 #include "rig/cli/plain_progress.h"
 #include "rig/cli/signals.h"
 #include "rig/cli/verbs.h"
+#include "rig/cli/virtual_bench.h"
 #include "rig/profile/plan.h"
 #include "rig/report/files.h"
 #include "rig/report/text.h"
-#include "rig/run/run.h"
-#include "rig/virtual/virtual_rig.h"
 
 namespace zrobench {
 namespace {
@@ -68,12 +67,9 @@ int Run(const RunOptions& options) {
                                              "instrument must be \"virtual:\""},
                   kExitInvalid, options.json);
   }
-  VirtualClock clock(station->virtual_rig.epoch);
-  auto rig = VirtualRig::Make(*station, options.seed, clock);
-  if (!rig) return Refuse(rig.error(), kExitInvalid, options.json);
-  Instruments instruments{clock,          (*rig)->plate(),  (*rig)->speaker(),
-                          (*rig)->bus(),  &(*rig)->power(), &(*rig)->environment(),
-                          &(*rig)->hand()};
+  auto bench = VirtualBench::Make(*station, options.seed);
+  if (!bench) return Refuse(bench.error(), kExitInvalid, options.json);
+  Instruments instruments = (*bench)->instruments();
   PlainProgress progress(station->virtual_rig.epoch,
                          NominalDurationS(*profile, station->model.ambient_degc));
   const bool quiet = options.json || options.ui == "none";

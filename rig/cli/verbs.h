@@ -6,6 +6,7 @@ namespace zrobench {
 
 void AddRunVerb(CLI::App& app, int& exit_code);
 void AddCheckVerb(CLI::App& app, int& exit_code);
+void AddPlanVerb(CLI::App& app, int& exit_code);
 void AddReplayVerb(CLI::App& app, int& exit_code);
 void AddReportVerb(CLI::App& app, int& exit_code);
 
