@@ -166,6 +166,7 @@
   }
 
   function shade(context, area, graph) {
+    context.canvas.closest('.plot').dataset.window = graph.xAxisRange().map(Math.round).join(' ');
     context.save();
     context.font = '11px sans-serif';
     for (const s of data.stimuli) {
