@@ -16,7 +16,7 @@ struct Argument {
   std::string_view key;
   Type type;
   bool required;
-  double low, high;                  // kNumber and kCount; low itself excluded where low is 0
+  Range range;                       // kNumber, kCount, kCodes
   std::vector<std::string> allowed;  // kText
 };
 struct Check {
@@ -27,33 +27,43 @@ struct Check {
 // Every check that a profile may ask for, and what it takes.
 const std::vector<Check>& Checks() {
   using enum Argument::Type;
-  const Argument from{"from_degc", kNumber, true, -100, 200, {}};
-  const Argument to{"to_degc", kNumber, true, -100, 200, {}};
-  const Argument within{"within_mdps", kNumber, true, 0, 1e6, {}};
+  const Range degc = Range::Between(-100, 200), code = Range::Between(1, 16);
+  const Range count = Range::Between(0, 1e6);
+  const Argument from{"from_degc", kNumber, true, degc, {}};
+  const Argument to{"to_degc", kNumber, true, degc, {}};
+  const Argument within{"within_mdps", kNumber, true, Range::Positive(1e6), {}};
   static const std::vector<Check> checks = {
       {"table_coverage",
-       {from, to, {"step_degc", kNumber, true, 0, 50, {}}, {"min_pct", kNumber, true, 0, 100, {}}}},
+       {from,
+        to,
+        {"step_degc", kNumber, true, Range::Between(0.1, 50), {}},
+        {"min_pct", kNumber, true, Range::Positive(100), {}}}},
       {"table_accuracy", {from, to, within}},
+      {"granularity", {from, to, {"within_degc", kNumber, true, Range::Between(0.1, 200), {}}}},
+      {"up_down", {within}},
       {"rejects",
-       {{"codes", kCodes, false, 1, 16, {}},
-        {"code", kCount, false, 1, 16, {}},
-        {"during", kText, false, 0, 0, {"tone", "move", "tap", "rotate", "vibrate", "hand_held"}},
-        {"at_least", kCount, false, 1, 1e6, {}}}},
+       {{"codes", kCodes, false, code, {}},
+        {"code", kCount, false, code, {}},
+        {"during", kText, false, {}, {"tone", "move", "tap", "rotate", "vibrate", "hand_held"}},
+        {"at_least", kCount, false, Range::Between(1, 1e6), {}}}},
+      {"no_unexpected_rejection", {{"at_most", kCount, true, count, {}}}},
       {"no_corrupt_entry", {within}},
+      {"table_complete", {}},
       {"table_persists", {}},
+      {"entry_age", {{"at_most_days", kCount, true, count, {}}}},
       {"lockstep", {}},
-      {"residual_rate", {within}},
+      {"residual_rate",
+       {within,
+        {"from_degc", kNumber, false, degc, {}},
+        {"to_degc", kNumber, false, degc, {}},
+        {"piece_s", kCount, false, Range::Between(2, 3600), {}}}},
+      {"extrapolation_held", {{"beyond_degc", kNumber, true, Range::Between(0, 200), {}}, within}},
   };
   return checks;
 }
 
-Range RangeOf(const Argument& argument) {
-  return argument.low == 0 ? Range::Positive(argument.high)
-                           : Range::Between(argument.low, argument.high);
-}
-
 bool ReadCodes(TableReader* reader, const Argument& argument, std::vector<double>* codes) {
-  if (!reader->Numbers(argument.key, codes, RangeOf(argument), 1, 16)) return false;
+  if (!reader->Numbers(argument.key, codes, argument.range, 1, 16)) return false;
   const auto whole = [](double code) { return code == std::floor(code); };
   if (std::all_of(codes->begin(), codes->end(), whole)) return true;
   reader->Complain(argument.key, fmt::format("{} must be whole numbers", argument.key));
@@ -69,12 +79,12 @@ void ReadArgument(TableReader* reader, const Argument& argument, Expectation* ex
   std::vector<double> codes;
   switch (argument.type) {
     case kNumber:
-      if (reader->Number(key, &number, RangeOf(argument))) {
+      if (reader->Number(key, &number, argument.range)) {
         expectation->arguments.emplace_back(key, number);
       }
       break;
     case kCount:
-      if (!reader->Count(key, &count, RangeOf(argument))) break;
+      if (!reader->Count(key, &count, argument.range)) break;
       number = static_cast<double>(count);
       if (key == "code") {
         expectation->arguments.emplace_back("codes", std::vector<double>{number});

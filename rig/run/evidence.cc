@@ -35,6 +35,7 @@ class Gatherer {
       OnBoot();
     }
     if (zro::node::StatusMsg status; Decode(frame, &status)) nv_state_ = status.nv_state;
+    if (zro::node::TimeStampMsg date; Decode(frame, &date)) evidence_.today_days = date.days;
   }
   void operator()(const LogItem& item) {
     const auto record = ParseDecision(item.bytes);

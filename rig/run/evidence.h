@@ -41,6 +41,12 @@ struct PowerCut {
   bool clean = true;
 };
 
+/// The decision put a reading into the table.
+constexpr bool WroteEntry(zro::Code code) {
+  return code == zro::Code::kNew || code == zro::Code::kMerged ||
+         code == zro::Code::kOverwroteOld || code == zro::Code::kShiftConfirmed;
+}
+
 /// A decision of the board with the host time at which it was taken.
 struct TimedDecision {
   std::uint64_t at_us = 0;
@@ -59,7 +65,8 @@ struct Evidence {
   std::uint64_t first_us = 0, last_us = 0;
   std::vector<std::string> alarms;
   std::vector<PowerCut> cuts;
-  bool completed = false;  ///< the record holds its end, and the run its whole profile
+  std::uint16_t today_days = 0;  ///< since 1984-01-01, as the rig last told the board; 0 = never
+  bool completed = false;        ///< the record holds its end, and the run its whole profile
 };
 
 /// kFile when the record cannot be read. A record cut short is read as far as it goes.

@@ -22,11 +22,11 @@ double StudentT95(std::size_t dof) {
   return dof <= 1 ? 12.71 : 1.96 + 2.4 / n + 4.7 / (n * n) + (dof == 2 ? -0.03 : 0.0);
 }
 
-std::vector<Block> BlocksNear(const Evidence& evidence, double degc, Reference& reference) {
+std::vector<Block> BlocksNear(std::span<const Second> seconds, double degc, Reference& reference) {
   std::vector<Block> blocks;
   Block open;
   int n = 0;
-  for (const Second& second : evidence.seconds) {
+  for (const Second& second : seconds) {
     const bool use = second.quiet && std::abs(second.mean.imu_degc - degc) <= kHalfWidth_degc;
     if (!use) {
       n = 0;
@@ -77,9 +77,9 @@ Line FitAtZero(const std::vector<double>& x, const std::vector<double>& y) {
 
 }  // namespace
 
-std::optional<Reference> ReferenceAt(const Evidence& evidence, double degc) {
+std::optional<Reference> ReferenceAt(std::span<const Second> seconds, double degc) {
   Reference reference;
-  const std::vector<Block> blocks = BlocksNear(evidence, degc, reference);
+  const std::vector<Block> blocks = BlocksNear(seconds, degc, reference);
   if (blocks.size() < kMinBlocks) return std::nullopt;
   std::vector<double> x, y(blocks.size());
   for (const Block& block : blocks) x.push_back(block.degc - degc);

@@ -2,6 +2,7 @@
 // The rig's own idea of the true offset: long averages of the raw gyro, still and silent.
 #include <array>
 #include <optional>
+#include <span>
 
 #include "rig/run/evidence.h"
 
@@ -17,6 +18,9 @@ struct Reference {
 /// uncertainty comes from the scatter of 5 s blocks about that line (Student's t for the few blocks
 /// there are), so slow noise counts. Nothing when there are fewer than 4 blocks, or when they lie
 /// on one side of `degc` only.
-std::optional<Reference> ReferenceAt(const Evidence& evidence, double degc);
+std::optional<Reference> ReferenceAt(std::span<const Second> seconds, double degc);
+inline std::optional<Reference> ReferenceAt(const Evidence& evidence, double degc) {
+  return ReferenceAt(evidence.seconds, degc);
+}
 
 }  // namespace zrobench

@@ -106,8 +106,9 @@ Flow RunStep(BenchLoop& loop, const PowerCycle& cycle) {
     loop.log().Note("power cycle skipped: the station has no power role");
     return {};
   }
-  if (auto flow = loop.ReadDecisions(); !flow) return flow;  // the log lives in the board's RAM
+  // In this order: every entry of that table has its decision on record. The log lives in RAM.
   if (auto flow = loop.ReadTable(kTableBeforeCut); !flow) return flow;
+  if (auto flow = loop.ReadDecisions(); !flow) return flow;
   const std::uint32_t boots = loop.bench().board.status().boots_seen;
   const auto deadline = [&] { return loop.now() + std::chrono::seconds(2); };
   if (const Status off = loop.bench().power->SetOn(false, deadline()); !off) {

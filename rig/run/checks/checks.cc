@@ -9,7 +9,7 @@ namespace zrobench {
 
 CheckResult RunCheck(const Expectation& expect, const CheckContext& context) {
   using Check = CheckResult (*)(const Expectation&, const CheckContext&);
-  static constexpr std::array<std::pair<std::string_view, Check>, 7> kChecks = {{
+  static constexpr std::array<std::pair<std::string_view, Check>, 13> kChecks = {{
       {"table_coverage", CheckTableCoverage},
       {"table_accuracy", CheckTableAccuracy},
       {"rejects", CheckRejects},
@@ -17,6 +17,12 @@ CheckResult RunCheck(const Expectation& expect, const CheckContext& context) {
       {"table_persists", CheckTablePersists},
       {"lockstep", CheckLockstep},
       {"residual_rate", CheckResidualRate},
+      {"no_unexpected_rejection", CheckNoUnexpectedRejection},
+      {"table_complete", CheckTableComplete},
+      {"granularity", CheckGranularity},
+      {"entry_age", CheckEntryAge},
+      {"up_down", CheckUpDown},
+      {"extrapolation_held", CheckExtrapolationHeld},
   }};
   for (const auto& [name, check] : kChecks) {
     if (expect.check == name) return check(expect, context);

@@ -1,6 +1,9 @@
 #pragma once
 // One function a check: what a profile may expect of a corrector. Each measures from the evidence
-// alone and is judged with its uncertainty. Names and arguments: rig/profile/check_catalogue.
+// alone and is judged with its uncertainty. Names and arguments: rig/profile/expectations.cc.
+#include <optional>
+
+#include "corrector/table.h"
 #include "rig/profile/profile.h"
 #include "rig/record/verdict.h"
 #include "rig/run/evidence.h"
@@ -25,8 +28,26 @@ CheckResult CheckNoCorruptEntry(const Expectation& expect, const CheckContext& c
 CheckResult CheckTablePersists(const Expectation& expect, const CheckContext& context);
 /// The corrector, run again on the host over the recorded integers, made the same table and events.
 CheckResult CheckLockstep(const Expectation& expect, const CheckContext& context);
-/// Mean corrected rate over 10 s pieces while still and silent stays at zero.
+/// Mean corrected rate over pieces of piece_s (10) while still and silent stays at zero, where the
+/// board is within from_degc..to_degc (anywhere).
 CheckResult CheckResidualRate(const Expectation& expect, const CheckContext& context);
+
+/// At most `at_most` refusals (codes 1..16) where no stimulus acted nor had just acted.
+CheckResult CheckNoUnexpectedRejection(const Expectation& expect, const CheckContext& context);
+/// The board called its table complete (code 40) and has not taken it back (41).
+CheckResult CheckTableComplete(const Expectation& expect, const CheckContext& context);
+/// Largest gap between neighbouring learned entries within from_degc..to_degc, its ends included.
+CheckResult CheckGranularity(const Expectation& expect, const CheckContext& context);
+/// Learned entries are dated, and by the rig's last date no older than `at_most_days`.
+CheckResult CheckEntryAge(const Expectation& expect, const CheckContext& context);
+/// The rig's averages while warming and while cooling differ by no more than within_mdps: one value
+/// a temperature can be right for both.
+CheckResult CheckUpDown(const Expectation& expect, const CheckContext& context);
+/// More than beyond_degc outside the table's outermost entries the correction stays as it is there.
+CheckResult CheckExtrapolationHeld(const Expectation& expect, const CheckContext& context);
+
+/// The table as the record last showed it; nothing when the record holds none that can be read.
+std::optional<zro::Table> FinalTable(const Evidence& evidence);
 
 /// Runs the check an expectation names. An unknown name is a contract bug: the loader refuses it.
 CheckResult RunCheck(const Expectation& expect, const CheckContext& context);

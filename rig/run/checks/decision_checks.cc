@@ -1,4 +1,5 @@
-// rejects, no_corrupt_entry: what the board decided while the rig provoked it.
+// rejects, no_unexpected_rejection, no_corrupt_entry, table_complete: what the board decided while
+// the rig provoked it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -37,11 +38,6 @@ std::string Text(const Expectation& expect, const std::string& wanted) {
     if (key == wanted) return std::get<std::string>(value);
   }
   return {};
-}
-
-bool Wrote(zro::Code code) {
-  return code == zro::Code::kNew || code == zro::Code::kMerged ||
-         code == zro::Code::kOverwroteOld || code == zro::Code::kShiftConfirmed;
 }
 
 /// Where refusals are looked for: in and just after every stimulus of that kind, or anywhere.
@@ -106,7 +102,7 @@ Measurement WritesDuringStimuli(const Evidence& evidence) {
                 .first_us = evidence.first_us,
                 .last_us = evidence.last_us};
   for (const TimedDecision& decision : evidence.decisions) {
-    if (!Wrote(decision.record.code)) continue;
+    if (!WroteEntry(decision.record.code)) continue;
     const std::uint64_t from = decision.at_us - std::min(decision.at_us, kReading_us);
     const bool corrupt =
         std::any_of(evidence.stimuli.begin(), evidence.stimuli.end(), [&](const Interval& i) {
@@ -130,7 +126,7 @@ CheckResult CheckNoCorruptEntry(const Expectation& expect, const CheckContext& c
       within);
   result.measurements.push_back(WritesDuringStimuli(context.evidence));
   for (const TimedDecision& decision : context.evidence.decisions) {
-    if (!Wrote(decision.record.code)) continue;
+    if (!WroteEntry(decision.record.code)) continue;
     const auto reference = ReferenceAt(context.evidence, decision.record.temp_degc);
     if (!reference) continue;
     Measurement m{.name = fmt::format("no_corrupt_entry.{:.1f}", decision.record.temp_degc),
@@ -153,6 +149,57 @@ CheckResult CheckNoCorruptEntry(const Expectation& expect, const CheckContext& c
     result.verdict = Verdict::kInconclusive;
     result.reason = tempted ? LostDecisions(context.evidence)
                             : "nothing was written and no stimulus was there to tempt it";
+  }
+  return result;
+}
+
+CheckResult CheckNoUnexpectedRejection(const Expectation& expect, const CheckContext& context) {
+  const double at_most = expect.number("at_most", 0);
+  const Evidence& evidence = context.evidence;
+  CheckResult result;
+  result.check = expect.check;
+  result.about = fmt::format("at most {:g} refusals where no stimulus acted", at_most);
+  Measurement m{.name = "no_unexpected_rejection",
+                .unit = "1",
+                .high = at_most,
+                .first_us = evidence.first_us,
+                .last_us = evidence.last_us};
+  for (const TimedDecision& decision : evidence.decisions) {
+    if (!zro::IsRejection(decision.record.code)) continue;
+    const bool provoked =
+        std::any_of(evidence.stimuli.begin(), evidence.stimuli.end(), [&](const Interval& i) {
+          return decision.at_us >= i.first_us && decision.at_us <= i.last_us + kVerdictDelay_us;
+        });
+    m.value += provoked ? 0 : 1;
+  }
+  result.measurements.push_back(m);
+  JudgeCheck(result);
+  if (result.verdict != Verdict::kFail && evidence.decisions_lost > 0) {
+    result.verdict = Verdict::kInconclusive;
+    result.reason = LostDecisions(evidence);
+  }
+  return result;
+}
+
+CheckResult CheckTableComplete(const Expectation& expect, const CheckContext& context) {
+  const Evidence& evidence = context.evidence;
+  CheckResult result;
+  result.check = expect.check;
+  result.about = "the board calls its table complete (code 40), and not later otherwise (41)";
+  Measurement m{.name = "table_complete",
+                .unit = "1",
+                .low = 1,
+                .first_us = evidence.first_us,
+                .last_us = evidence.last_us};
+  for (const TimedDecision& decision : evidence.decisions) {
+    if (decision.record.code == zro::Code::kTableComplete) m.value = 1;
+    if (decision.record.code == zro::Code::kReArmed) m.value = 0;
+  }
+  result.measurements.push_back(m);
+  JudgeCheck(result);
+  if (evidence.decisions_lost > 0) {
+    result.verdict = Verdict::kInconclusive;
+    result.reason = LostDecisions(evidence);
   }
   return result;
 }

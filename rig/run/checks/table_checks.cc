@@ -1,4 +1,4 @@
-// table_coverage, table_accuracy, table_persists: what the table holds.
+// table_coverage, table_accuracy, granularity, entry_age: what the table holds.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,16 +14,6 @@ namespace zrobench {
 namespace {
 
 constexpr const char* kAxisName[] = {"x", "y", "z"};
-
-/// The table as the record last showed it; nothing when the record holds none.
-std::optional<zro::Table> FinalTable(const Evidence& evidence) {
-  if (evidence.tables.empty()) return std::nullopt;
-  zro::Table table;
-  std::uint32_t generation = 0;
-  const auto& image = evidence.tables.back().image;
-  if (!table.FromImage(image.data(), image.size(), &generation)) return std::nullopt;
-  return table;
-}
 
 bool HoldsLearned(const zro::Table& table, double degc, double within_degc) {
   for (int i = 0; i < table.size(); ++i) {
@@ -43,6 +33,15 @@ CheckResult Start(const Expectation& expect, std::string about) {
 }
 
 }  // namespace
+
+std::optional<zro::Table> FinalTable(const Evidence& evidence) {
+  if (evidence.tables.empty()) return std::nullopt;
+  zro::Table table;
+  std::uint32_t generation = 0;
+  const auto& image = evidence.tables.back().image;
+  if (!table.FromImage(image.data(), image.size(), &generation)) return std::nullopt;
+  return table;
+}
 
 CheckResult CheckTableCoverage(const Expectation& expect, const CheckContext& context) {
   const double from = expect.number("from_degc", 0), to = expect.number("to_degc", 0);
@@ -103,70 +102,69 @@ CheckResult CheckTableAccuracy(const Expectation& expect, const CheckContext& co
   return result;
 }
 
-namespace {
-
-/// Whether two entries are the same, but for merges that were not committed yet.
-bool SameButForMerges(const zro::Entry& a, const zro::Entry& b) {
-  constexpr float kMerged_degc = 1.25f;  ///< half a bin: an entry stays in its own
-  constexpr float kMerged_dps = 0.02f;
-  bool same = a.origin == b.origin && std::abs(a.temp_degc - b.temp_degc) < kMerged_degc;
-  for (int axis = 0; axis < zro::kAxes; ++axis) {
-    same = same && std::abs(a.zro_dps[axis] - b.zro_dps[axis]) <= kMerged_dps;
+CheckResult CheckGranularity(const Expectation& expect, const CheckContext& context) {
+  const double from = expect.number("from_degc", 0), to = expect.number("to_degc", 0);
+  const double within = expect.number("within_degc", 0);
+  CheckResult result =
+      Start(expect, fmt::format("neighbouring learned entries from {:g} to {:g} degC within {:g} "
+                                "degC of each other",
+                                from, to, within));
+  const auto table = FinalTable(context.evidence);
+  if (!table) {
+    result.reason = "the record holds no readable table";
+    return result;
   }
-  return same;
+  double last_degc = from, gap_degc = 0;
+  for (int i = 0; i < table->size(); ++i) {  // sorted by temperature
+    const zro::Entry& entry = (*table)[i];
+    if (entry.origin != zro::Origin::kLearned || entry.temp_degc < from) continue;
+    const double here_degc = std::min<double>(entry.temp_degc, to);
+    gap_degc = std::max(gap_degc, here_degc - last_degc);
+    last_degc = here_degc;
+  }
+  gap_degc = std::max(gap_degc, to - last_degc);
+  result.measurements.push_back({.name = "granularity.largest_gap",
+                                 .value = gap_degc,
+                                 .unit = "degc",
+                                 .high = within,
+                                 .first_us = context.evidence.first_us,
+                                 .last_us = context.evidence.last_us});
+  JudgeCheck(result);
+  return result;
 }
 
-/// Entries of `before` that `after` lacks or holds with other offsets.
-int EntriesLost(const zro::Table& before, const zro::Table& after) {
-  int lost = 0;
-  for (int i = 0; i < before.size(); ++i) {
-    bool kept = false;
-    for (int j = 0; j < after.size(); ++j) kept = kept || SameButForMerges(before[i], after[j]);
-    lost += kept ? 0 : 1;
+CheckResult CheckEntryAge(const Expectation& expect, const CheckContext& context) {
+  const double at_most = expect.number("at_most_days", 0);
+  const Evidence& evidence = context.evidence;
+  CheckResult result =
+      Start(expect, fmt::format("learned entries are dated, and at most {:g} days old", at_most));
+  const auto table = FinalTable(evidence);
+  if (!table || evidence.today_days == 0) {
+    result.reason =
+        table ? "the rig never told the board the date" : "the record holds no readable table";
+    return result;
   }
-  return lost;
-}
-
-Measurement Persistence(const TableItem& before, const TableItem& after, bool clean) {
-  Measurement m{.name = "table_persists.entries_lost",
-                .unit = "1",
-                .high = 0,
-                .first_us = before.at_us,
-                .last_us = after.at_us};
-  zro::Table was, is;
-  std::uint32_t generation = 0;
-  const bool readable = was.FromImage(before.image.data(), before.image.size(), &generation) &&
-                        is.FromImage(after.image.data(), after.image.size(), &generation);
-  if (!readable) {
-    m.value = std::nan("");
-  } else {
-    m.value = EntriesLost(was, is);
-    // Nothing was pending: then every byte must be the same.
-    if (clean && before.image != after.image) m.value = std::max(m.value, 1.0);
+  int learned = 0, undated = 0;
+  const auto measure = [&](std::string name, std::string unit, double value, double high) {
+    result.measurements.push_back({.name = std::move(name),
+                                   .value = value,
+                                   .unit = std::move(unit),
+                                   .low = 0,
+                                   .high = high,
+                                   .first_us = evidence.first_us,
+                                   .last_us = evidence.last_us});
+  };
+  for (int i = 0; i < table->size(); ++i) {
+    const zro::Entry& entry = (*table)[i];
+    if (entry.origin != zro::Origin::kLearned) continue;
+    ++learned;
+    undated += entry.date == 0 ? 1 : 0;
+    if (entry.date == 0) continue;
+    measure(fmt::format("entry_age.{:.1f}", entry.temp_degc), "d",
+            static_cast<double>(evidence.today_days) - entry.date, at_most);
   }
-  return m;
-}
-
-/// Nothing waited to be stored when the supply went between these two looks at the table.
-bool WasClean(const Evidence& evidence, const TableItem& before, const TableItem& after) {
-  return std::all_of(evidence.cuts.begin(), evidence.cuts.end(), [&](const PowerCut& cut) {
-    return cut.clean || cut.at_us < before.at_us || cut.at_us > after.at_us;
-  });
-}
-
-}  // namespace
-
-CheckResult CheckTablePersists(const Expectation& expect, const CheckContext& context) {
-  CheckResult result = Start(expect, "the committed table survives every power cut");
-  const TableItem* before = nullptr;
-  for (const TableItem& table : context.evidence.tables) {
-    if (table.when == 1) before = &table;
-    if (table.when != 2 || before == nullptr) continue;
-    result.measurements.push_back(
-        Persistence(*before, table, WasClean(context.evidence, *before, table)));
-    before = nullptr;
-  }
-  if (result.measurements.empty()) result.reason = "the board was never power-cycled";
+  if (learned > 0) measure("entry_age.undated", "1", undated, 0);
+  if (learned == 0) result.reason = "nothing was learned";
   JudgeCheck(result);
   return result;
 }

@@ -191,5 +191,32 @@ TEST(ProfileErrors, BrokenTomlAndMissingFiles) {
   EXPECT_EQ(missing.error().kind, Error::Kind::kFile);
 }
 
+TEST(ProfileErrors, LimitsOfChecks) {
+  EXPECT_THAT(
+      ErrorsOf(kHold + "[[expect]]\n"
+                       "table_coverage = { from_degc = 0, to_degc = 9, step_degc = 0.01, "
+                       "min_pct = 50 }\n"
+                       "[[expect]]\nentry_age = { at_most_days = 1.5 }\n"
+                       "[[expect]]\nno_unexpected_rejection = {}\n"
+                       "[[expect]]\nresidual_rate = { within_mdps = 9, piece_s = 1 }\n"
+                       "[[expect]]\ngranularity = { from_degc = 9, to_degc = 0, within_degc = 3 }\n"
+                       "[[expect]]\nextrapolation_held = { beyond_degc = -1, within_mdps = 3 }\n"),
+      ElementsAre("6:60: error: step_degc = 0.01 is below 0.1",
+                  "8:30: error: at_most_days must be a whole number",
+                  "10:27: error: 'at_most' is missing in no_unexpected_rejection",
+                  "12:46: error: piece_s = 1 is below 2",
+                  "14:29: error: from_degc = 9 is not below to_degc = 0",
+                  "16:38: error: beyond_degc = -1 is below 0"));
+}
+
+TEST(ProfileErrors, NoneMayBeAskedFor) {
+  EXPECT_THAT(ErrorsOf(kHold + "[[expect]]\nno_unexpected_rejection = { at_most = 0 }\n"
+                               "[[expect]]\nentry_age = { at_most_days = 0 }\n"
+                               "[[expect]]\ntable_complete = {}\n"
+                               "[[expect]]\nup_down = { within_mdps = 5 }\n"
+                               "[[expect]]\nresidual_rate = { within_mdps = 9, from_degc = 3 }\n"),
+              ElementsAre());
+}
+
 }  // namespace
 }  // namespace zrobench
