@@ -12,10 +12,12 @@
     circle: (c, r) => { c.arc(0, 0, r, 0, 7); c.stroke(); },
     square: (c, r) => { c.strokeRect(-r, -r, 2 * r, 2 * r); },
     diamond: (c, r) => {
-      c.moveTo(0, -r); c.lineTo(r, 0); c.lineTo(0, r); c.lineTo(-r, 0); c.closePath(); c.fill();
+      c.moveTo(0, -r); c.lineTo(r, 0); c.lineTo(0, r); c.lineTo(-r, 0); c.fill();
     },
-    triangle: (c, r) => { c.moveTo(0, -r); c.lineTo(r, r); c.lineTo(-r, r); c.closePath(); c.fill(); },
-    cross: (c, r) => { c.moveTo(-r, -r); c.lineTo(r, r); c.moveTo(r, -r); c.lineTo(-r, r); c.stroke(); },
+    triangle: (c, r) => { c.moveTo(0, -r); c.lineTo(r, r); c.lineTo(-r, r); c.fill(); },
+    cross: (c, r) => {
+      c.moveTo(-r, -r); c.lineTo(r, r); c.moveTo(r, -r); c.lineTo(-r, r); c.stroke();
+    },
   };
   const DASHES = {dashed: [7, 4], dotted: [2, 3]};
   const graphs = [];  // {graph, div}: all of them
@@ -61,7 +63,7 @@
     const known = values.filter(Number.isFinite);
     if (!known.length) return null;
     const low = Math.min(...known), high = Math.max(...known);
-    const pad = Math.max((high - low) * share, 1e-3 * Math.max(Math.abs(low), Math.abs(high)), 1e-6);
+    const pad = Math.max((high - low) * share, 1e-3 * Math.abs(low), 1e-3 * Math.abs(high), 1e-6);
     return [low - pad, high + pad];
   }
 
@@ -84,61 +86,73 @@
     return graph;
   }
 
+  /** Rows for Dygraph of all points that have a place, and the text of each. */
+  function arranged(series) {
+    const points = series.flatMap((s, i) => s.points.map(p => ({p, i})))
+      .filter(({p}) => Number.isFinite(p.x) && Number.isFinite(p.y))
+      .sort((a, b) => a.p.x - b.p.x);
+    const fit = range(points.filter(({i}) => series[i].fit).map(({p}) => p.y), 0.12);
+    return {
+      rows: points.map(({p, i}) => [p.x, ...series.map((s, k) => k === i ? p.y : null)]),
+      texts: points.map(({p}) => p.text),
+      fit,
+      beyond: points.filter(({p}) => fit && (p.y < fit[0] || p.y > fit[1])).length,
+      xs: range(points.map(({p}) => p.x), 0.03),
+    };
+  }
+
+  /** Draws a series' marks and counts them. */
+  function marker(s, count) {
+    const at = (factor, counted) => (g, name, context, x, y) => {
+      context.save();
+      context.translate(x, y);
+      mark(context, s.shape, s.colour, s.size * factor);
+      context.restore();
+      if (counted) count[s.name] = (count[s.name] || 0) + 1;
+    };
+    return {drawPointCallback: at(1, true), drawHighlightPointCallback: at(1.6, false)};
+  }
+
   /**
-   * Marks by series {name, shape, colour, size, points: [{x, y, text}]}. The first picture shows
-   * all points of series that `fit`; the button shows those beyond it too.
+   * Marks by series {name, shape, colour, size, fit, points: [{x, y, text}]}. Each view {name,
+   * ylabel, series()} shows the same series; a picture shows all points of those that `fit`, and
+   * a button those beyond it too.
    */
-  function scatter(id, title, labels, series) {
+  function scatter(id, title, xlabel, views) {
     const div = document.getElementById(id);
     const {line, output} = head(div, title);
-    const rows = [], texts = [];
-    series.flatMap((s, i) => s.points.map(p => ({p, i})))
-      .filter(({p}) => Number.isFinite(p.x) && Number.isFinite(p.y))
-      .sort((a, b) => a.p.x - b.p.x)
-      .forEach(({p, i}) => {
-        const row = new Array(series.length + 1).fill(null);
-        row[0] = p.x;
-        row[i + 1] = p.y;
-        rows.push(row);
-        texts.push(p.text);
-      });
-    if (!rows.length) { line.remove(); div.remove(); return; }
-    const fit = range(series.filter(s => s.fit).flatMap(s => s.points.map(p => p.y)), 0.12);
-    const outside = fit ? rows.filter(r => r.slice(1).some(
-      y => y !== null && (y < fit[0] || y > fit[1]))).length : 0;
-    const xs = range(rows.map(r => r[0]), 0.03);
-    let drawn = {};
-    const bySeries = {};
-    for (const s of series) {
-      const one = (factor, count) => (g, name, context, x, y, colour, size, index) => {
-        context.save();
-        context.translate(x, y);
-        mark(context, s.shape, s.colour, s.size * factor);
-        context.restore();
-        if (count) drawn[s.name] = (drawn[s.name] || 0) + 1;
-      };
-      bySeries[s.name] = {drawPointCallback: one(1, true), drawHighlightPointCallback: one(1.6)};
-    }
-    const graph = draw(div, rows, {
-      labels: [labels.x, ...series.map(s => s.name)], series: bySeries, colors:
-      series.map(s => s.colour), drawPoints: true, strokeWidth: 0, xlabel: labels.x, ylabel: labels.y,
-      valueRange: fit, dateWindow: xs, highlightSeriesOpts: {strokeWidth: 0},
+    let view = 0, all = false;
+    const series = views[0].series();
+    let now = arranged(series);
+    if (!now.rows.length) { line.remove(); div.remove(); return; }
+    const count = {};
+    const ranges = () => ({valueRange: all ? null : now.fit, dateWindow: now.xs});
+    const graph = draw(div, now.rows, {
+      labels: [xlabel, ...series.map(s => s.name)], colors: series.map(s => s.colour),
+      series: Object.fromEntries(series.map(s => [s.name, marker(s, count)])), drawPoints: true,
+      strokeWidth: 0, xlabel, ylabel: views[0].ylabel, ...ranges(),
+      highlightSeriesOpts: {strokeWidth: 0},
       axes: {x: {valueFormatter: String, pixelsPerLabel: 70}, y: {axisLabelWidth: 60}},
-      underlayCallback: () => { drawn = {}; },
-      drawCallback: () => { div.dataset.marks = JSON.stringify(drawn); },
-      highlightCallback: (event, x, points, row, name) => { output.textContent = texts[row]; },
+      underlayCallback: () => { Object.keys(count).forEach(name => delete count[name]); },
+      drawCallback: () => { div.dataset.marks = JSON.stringify(count); },
+      highlightCallback: (event, x, points, row) => { output.textContent = now.texts[row]; },
       unhighlightCallback: () => { output.textContent = ''; },
     });
-    if (outside) {
-      const button = make('button', {type: 'button', textContent: `show ${outside} beyond`});
-      let all = false;
-      button.onclick = () => {
-        all = !all;
-        button.textContent = all ? 'fit the offsets' : `show ${outside} beyond`;
-        graph.updateOptions({valueRange: all ? null : fit, dateWindow: xs});
-      };
-      line.append(button);
-    }
+    const widen = make('button', {type: 'button'}), turn = make('button', {type: 'button'});
+    const show = () => {
+      graph.updateOptions({file: now.rows, ylabel: views[view].ylabel, ...ranges()});
+      label();
+    };
+    const label = () => {
+      widen.hidden = !now.beyond;
+      widen.textContent = all ? 'fit the offsets' : `show ${now.beyond} beyond`;
+      turn.textContent = `as ${views[1 - view]?.name}`;
+    };
+    widen.onclick = () => { all = !all; show(); };
+    turn.onclick = () => { view = 1 - view; now = arranged(views[view].series()); show(); };
+    label();
+    line.append(widen);
+    if (views.length > 1) line.append(turn);
   }
 
   /** Lines over time {name, colour, dash}; `fit`: the first picture's range of values. */
@@ -224,8 +238,26 @@
     ];
   }
 
-  AXES.forEach((axis, a) => scatter(`offset-${axis}`, `Axis ${axis}`,
-    {x: 'T [°C]', y: 'offset [mdps]'}, offsetSeries(a)));
+  /** The rig's mean at a temperature [mdps]: a line through its quiet seconds within 1 °C. */
+  function rigMean(a, degc) {
+    const near = data.cloud.filter(c => Math.abs(c[0] - degc) <= 1);
+    const n = near.length, ds = near.map(c => c[0] - degc);
+    if (n < 10 || Math.min(...ds) > 0.3 || Math.max(...ds) < -0.3) return NaN;
+    const sum = f => near.reduce((total, c, i) => total + f(ds[i], c[a + 1] * 1e3), 0);
+    const md = sum(d => d) / n, my = sum((d, y) => y) / n;
+    const sdd = sum(d => (d - md) ** 2), slope = sum((d, y) => (d - md) * (y - my)) / sdd;
+    return sdd / n > 0.01 ? my - slope * md : my;  // on a soak a slope would only be noise
+  }
+
+  const deviationSeries = a => offsetSeries(a).map(s => ({...s, points: s.points.map(p => {
+    const y = p.y - rigMean(a, p.x);
+    return {x: p.x, y, text: `${y.toFixed(1)} mdps off the rig's mean; ${p.text}`};
+  })}));
+
+  AXES.forEach((axis, a) => scatter(`offset-${axis}`, `Axis ${axis}`, 'T [°C]', [
+    {name: 'offset', ylabel: 'offset [mdps]', series: () => offsetSeries(a)},
+    {name: 'deviation from the rig\'s mean', ylabel: 'deviation [mdps]',
+      series: () => deviationSeries(a)}]));
   document.querySelector('#offsets .key').append(
     ...offsetSeries(0).map(s => keyOfMark(s.name, s.shape, s.colour, s.size)));
 
@@ -248,10 +280,12 @@
     kind === 'off' ? 'supply off' : kind)), 'Rates are scaled to the quiet seconds.');
 
   const toneShapes = ['triangle', 'square', 'diamond'];
-  scatter('tone-map', 'Rate made by sound', {x: 'f [Hz]', y: 'shift [mdps]'},
-    AXES.map((axis, a) => ({name: axis, shape: toneShapes[a], colour: COLOUR[axis], size: 5.5,
-      fit: true, points: data.tones.map(t => ({x: t.hz, y: t.shift_mdps[a] ?? NaN,
-        text: `${t.hz} Hz, ${t.spl_db} dB SPL at ${t.degc} °C: ${axis} ${t.shift_mdps[a]} mdps`}))})));
+  const toneSeries = () => AXES.map((axis, a) => ({name: axis, shape: toneShapes[a],
+    colour: COLOUR[axis], size: 5.5, fit: true, points: data.tones.map(t => ({
+      x: t.hz, y: t.shift_mdps[a] ?? NaN,
+      text: `${t.hz} Hz, ${t.spl_db} dB SPL at ${t.degc} °C: ${axis} ${t.shift_mdps[a]} mdps`}))}));
+  scatter('tone-map', 'Rate made by sound', 'f [Hz]',
+    [{name: 'shift', ylabel: 'shift [mdps]', series: toneSeries}]);
   document.querySelector('#tones .note').append(' ',
     ...AXES.map((axis, a) => keyOfMark(axis, toneShapes[a], COLOUR[axis], 5.5)));
 

@@ -137,6 +137,19 @@ class Report(unittest.TestCase):
         output = self.browser.find_elements(By.CSS_SELECTOR, "#offsets output")[0]
         self.assertRegex(output.text, "mdps")
 
+    def test_deviation_from_the_rigs_mean_is_a_few_mdps(self):
+        self.browser.find_element(
+            By.XPATH, "//section[@id='offsets']//button[contains(., 'deviation')]").click()
+        self.assertIn("deviation [mdps]", self.text("#offset-x"))
+        plots, marks = self.plots(), self.marks("offset-x")
+        near = [e["origin"] for e in plots["entries"]
+                if min(abs(c[0] - e["degc"]) for c in plots["cloud"]) < 0.3]
+        self.assertEqual(near.count("learned"), marks["entry, learned"])
+        self.assertEqual(near.count("factory"), marks["entry, factory"])
+        ticks = [float(e.text) for e in self.browser.find_elements(
+            By.CSS_SELECTOR, "#offset-x .dygraph-axis-label-y")]
+        self.assertLess(max(map(abs, ticks)), 60)
+
     def test_a_failure_and_hostile_texts_are_shown_as_texts(self):
         with tempfile.TemporaryDirectory() as folder:
             run = Path(folder) / "run"

@@ -34,17 +34,18 @@ TEST(History, TimesCountFromTheRecordsStart) {
 
 TEST(History, DecisionsStandAtTheTimeTheyWereTaken) {
   const History h = Small();
-  ASSERT_THAT(h.readings, SizeIs(3)) << "the damaged log record is left out";
+  ASSERT_THAT(h.readings, SizeIs(4)) << "the damaged log record is left out";
   EXPECT_NEAR(h.readings[0].t_s, 15, 1e-6) << "across the wrap of the board's clock";
   EXPECT_NEAR(h.readings[1].t_s, 24.5, 1e-6);
-  EXPECT_NEAR(h.readings[2].t_s, 55, 1e-6) << "the clock starts anew at a boot";
+  EXPECT_NEAR(h.readings[2].t_s, 43, 1e-6) << "its clock is not known yet: the time of reading";
+  EXPECT_NEAR(h.readings[3].t_s, 55, 1e-6) << "the clock starts anew at a boot";
 }
 
 TEST(History, ARefusalIsExpectedWhileAStimulusActs) {
   const History h = Small();
   EXPECT_FALSE(h.readings[0].expected());
   EXPECT_EQ(h.readings[1].stimulus, 0);
-  EXPECT_FALSE(h.readings[2].expected()) << "a power cut provokes nothing";
+  EXPECT_FALSE(h.readings[3].expected()) << "a power cut provokes nothing";
 }
 
 TEST(History, QuietIsNeitherInNorJustAfterAStimulus) {
@@ -84,7 +85,7 @@ TEST(History, ACutRecordIsToldAsFarAsItGoes) {
   ASSERT_TRUE(h);
   EXPECT_NE(h->damage, "");
   EXPECT_EQ(h->table.size(), 0) << "the table was the last message";
-  EXPECT_THAT(h->readings, SizeIs(3));
+  EXPECT_THAT(h->readings, SizeIs(4));
 }
 
 TEST(History, NoRecordIsAnError) { EXPECT_FALSE(ReadHistory("/nowhere/record.ulg")); }

@@ -110,7 +110,7 @@ TEST(Plots, EmbedWhatTheRecordHolds) {
   EXPECT_THAT(plots["entries"], SizeIs(2));
   EXPECT_EQ(plots["entries"][0]["origin"], "factory");
   EXPECT_DOUBLE_EQ(plots["entries"][1]["zro_mdps"][1], -1100);
-  EXPECT_THAT(plots["readings"], SizeIs(3));
+  EXPECT_THAT(plots["readings"], SizeIs(4));
   EXPECT_EQ(plots["readings"][0]["fate"], "accepted");
   EXPECT_EQ(plots["readings"][1]["fate"], "refused");
   EXPECT_EQ(plots["readings"][1]["stimulus"], 0);

@@ -68,6 +68,9 @@ class SmallRecord {
     if (t == 40) Event(40, Kind::kPower, "", 0);
     if (t == 42) Event(42, Kind::kPower, "", 1);
     if (t == 43) recorder_->Write(BusFrame{At(43), 0x710, 1, 0, {}});  // boot-up
+    if (t == 43) {  // read before the board's new clock was seen
+      Log(43, 500'000u, {1, 0, zro::Code::kReArmed, 3, 63, 28.6f, {0, 0, 0}, 0, 0});
+    }
     recorder_->Write(PlateItem{At(t), t < 50 ? 20.0 : 31.0, degc + 0.5, 10, 23});
     if (t < 40 || t > 42) {
       const std::uint32_t second = 1'000'000u * static_cast<std::uint32_t>(t);
