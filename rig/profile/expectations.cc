@@ -28,7 +28,7 @@ struct Check {
 const std::vector<Check>& Checks() {
   using enum Argument::Type;
   const Range degc = Range::Between(-100, 200), code = Range::Between(1, 16);
-  const Range count = Range::Between(0, 1e6);
+  const Range decision = Range::Between(1, 41), count = Range::Between(0, 1e6);
   const Argument from{"from_degc", kNumber, true, degc, {}};
   const Argument to{"to_degc", kNumber, true, degc, {}};
   const Argument within{"within_mdps", kNumber, true, Range::Positive(1e6), {}};
@@ -46,6 +46,11 @@ const std::vector<Check>& Checks() {
         {"code", kCount, false, code, {}},
         {"during", kText, false, {}, {"tone", "move", "tap", "rotate", "vibrate", "hand_held"}},
         {"at_least", kCount, false, Range::Between(1, 1e6), {}}}},
+      {"decides",
+       {{"codes", kCodes, false, decision, {}},
+        {"code", kCount, false, decision, {}},
+        {"at_least", kCount, false, count, {}},
+        {"at_most", kCount, false, count, {}}}},
       {"no_unexpected_rejection", {{"at_most", kCount, true, count, {}}}},
       {"no_corrupt_entry", {within}},
       {"table_complete", {}},
@@ -108,8 +113,11 @@ Expectation ReadCheck(const Check& check, TableReader reader) {
   Expectation expectation{check.name, {}, reader.place().line};
   for (const Argument& argument : check.arguments) ReadArgument(&reader, argument, &expectation);
   reader.RefuseOtherKeys();
-  if (reader.table()->contains("code") && reader.table()->contains("codes")) {
-    reader.Complain("code", "give either code or codes");
+  const auto holds = [&](std::string_view key) { return reader.table()->contains(key); };
+  if (holds("code") && holds("codes")) reader.Complain("code", "give either code or codes");
+  const bool counted = holds("at_least") || holds("at_most");
+  if (check.name == "decides" && !(counted && (holds("code") || holds("codes")))) {
+    reader.Complain("", "decides wants code or codes, and at_least or at_most");
   }
   const double from = expectation.number("from_degc", -HUGE_VAL);
   const double to = expectation.number("to_degc", HUGE_VAL);

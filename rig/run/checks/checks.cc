@@ -9,7 +9,7 @@ namespace zrobench {
 
 CheckResult RunCheck(const Expectation& expect, const CheckContext& context) {
   using Check = CheckResult (*)(const Expectation&, const CheckContext&);
-  static constexpr std::array<std::pair<std::string_view, Check>, 13> kChecks = {{
+  static constexpr std::array<std::pair<std::string_view, Check>, 14> kChecks = {{
       {"table_coverage", CheckTableCoverage},
       {"table_accuracy", CheckTableAccuracy},
       {"rejects", CheckRejects},
@@ -18,6 +18,7 @@ CheckResult RunCheck(const Expectation& expect, const CheckContext& context) {
       {"lockstep", CheckLockstep},
       {"residual_rate", CheckResidualRate},
       {"no_unexpected_rejection", CheckNoUnexpectedRejection},
+      {"decides", CheckDecides},
       {"table_complete", CheckTableComplete},
       {"granularity", CheckGranularity},
       {"entry_age", CheckEntryAge},

@@ -34,6 +34,8 @@ CheckResult CheckResidualRate(const Expectation& expect, const CheckContext& con
 
 /// At most `at_most` refusals (codes 1..16) where no stimulus acted nor had just acted.
 CheckResult CheckNoUnexpectedRejection(const Expectation& expect, const CheckContext& context);
+/// Between `at_least` and `at_most` decisions with one of `codes` (1..41), anywhere in the run.
+CheckResult CheckDecides(const Expectation& expect, const CheckContext& context);
 /// The board called its table complete (code 40) and has not taken it back (41).
 CheckResult CheckTableComplete(const Expectation& expect, const CheckContext& context);
 /// Largest gap between neighbouring learned entries within from_degc..to_degc, its ends included.

@@ -1,5 +1,5 @@
-// rejects, no_unexpected_rejection, no_corrupt_entry, table_complete: what the board decided while
-// the rig provoked it.
+// rejects, decides, no_unexpected_rejection, no_corrupt_entry, table_complete: what the board
+// decided while the rig provoked it.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -175,6 +175,32 @@ CheckResult CheckNoUnexpectedRejection(const Expectation& expect, const CheckCon
   result.measurements.push_back(m);
   JudgeCheck(result);
   if (result.verdict != Verdict::kFail && evidence.decisions_lost > 0) {
+    result.verdict = Verdict::kInconclusive;
+    result.reason = LostDecisions(evidence);
+  }
+  return result;
+}
+
+CheckResult CheckDecides(const Expectation& expect, const CheckContext& context) {
+  const std::vector<int> codes = Codes(expect);
+  const Evidence& evidence = context.evidence;
+  CheckResult result;
+  result.check = expect.check;
+  result.about = fmt::format("decisions with code {}", fmt::join(codes, " or "));
+  Measurement m{.name = "decides",
+                .unit = "1",
+                .low = expect.number("at_least", 0),
+                .high = expect.number("at_most", HUGE_VAL),
+                .first_us = evidence.first_us,
+                .last_us = evidence.last_us};
+  for (const TimedDecision& decision : evidence.decisions) {
+    const int code = static_cast<int>(decision.record.code);
+    m.value += std::find(codes.begin(), codes.end(), code) != codes.end() ? 1 : 0;
+  }
+  result.measurements.push_back(m);
+  JudgeCheck(result);
+  // Lost decisions can only add: too many stay too many, all else is open.
+  if (evidence.decisions_lost > 0 && m.value <= m.high) {
     result.verdict = Verdict::kInconclusive;
     result.reason = LostDecisions(evidence);
   }

@@ -209,6 +209,15 @@ TEST(ProfileErrors, LimitsOfChecks) {
                   "16:38: error: beyond_degc = -1 is below 0"));
 }
 
+TEST(ProfileErrors, DecisionsAreCountedByCodeAndLimit) {
+  EXPECT_THAT(ErrorsOf(kHold + "[[expect]]\ndecides = { code = 34 }\n"
+                               "[[expect]]\ndecides = { at_least = 1, at_most = 2 }\n"
+                               "[[expect]]\ndecides = { code = 42, at_most = 2 }\n"),
+              ElementsAre("6:11: error: decides wants code or codes, and at_least or at_most",
+                          "8:11: error: decides wants code or codes, and at_least or at_most",
+                          HasSubstr("error: code = 42 is above 41")));
+}
+
 TEST(ProfileErrors, NoneMayBeAskedFor) {
   EXPECT_THAT(ErrorsOf(kHold + "[[expect]]\nno_unexpected_rejection = { at_most = 0 }\n"
                                "[[expect]]\nentry_age = { at_most_days = 0 }\n"

@@ -71,6 +71,24 @@ TEST_F(ProfileChecks, ARefusalWithoutAStimulusIsUnexpected) {
   EXPECT_EQ(verdict(0), Verdict::kFail);  // one too many is one too many
 }
 
+TEST_F(ProfileChecks, DecisionsAreCounted) {
+  const auto verdict = [&](double at_least, double at_most) {
+    return VerdictOf(
+        "decides",
+        {{"codes", std::vector<double>{34, 37}}, {"at_least", at_least}, {"at_most", at_most}});
+  };
+  Decide(5, zro::Code::kOverwroteOld);
+  Decide(6, zro::Code::kMerged);
+  Decide(7, zro::Code::kShiftConfirmed);
+  EXPECT_EQ(verdict(2, 2), Verdict::kPass);
+  EXPECT_EQ(verdict(3, 9), Verdict::kFail);
+  EXPECT_EQ(verdict(0, 1), Verdict::kFail);
+  evidence_.decisions_lost = 1;
+  EXPECT_EQ(verdict(0, 1), Verdict::kFail);
+  EXPECT_EQ(verdict(3, 9), Verdict::kInconclusive);
+  EXPECT_EQ(verdict(0, 2), Verdict::kInconclusive);
+}
+
 TEST_F(ProfileChecks, TheTableIsCompleteUntilTheBoardTakesItBack) {
   EXPECT_EQ(VerdictOf("table_complete"), Verdict::kFail);
   Decide(5, zro::Code::kTableComplete);
