@@ -159,8 +159,10 @@ class Report(unittest.TestCase):
             hostile = "</td><script>document.title = 'taken'</script> & \"so\""
             manifest["checks"][0]["reason"] = hostile
             (run / "run.json").write_text(json.dumps(manifest))
-            subprocess.run([os.environ["ZROBENCH"], "report", str(run)], check=True,
-                           stdout=subprocess.DEVNULL)
+            (run / "report.html").unlink()
+            said = subprocess.run([os.environ["ZROBENCH"], "report", str(run), "--json"],
+                                  check=True, capture_output=True).stdout
+            self.assertEqual(str(run / "report.html"), json.loads(said)["html"])
             self.open(run)
             self.assertEqual("fail", self.text("#verdict"))
             self.assertIn(hostile, self.text("#checks tbody tr"))

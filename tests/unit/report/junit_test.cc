@@ -22,7 +22,8 @@ CheckResult Check(std::string name, std::string about, Verdict verdict, std::str
   return {std::move(name), std::move(about), verdict, std::move(reason), {}};
 }
 
-/// One check of every verdict, two of a kind, and texts that would break careless markup.
+/// Every verdict, each a different number of times, two checks of a kind, and texts that would
+/// break careless markup.
 RunManifest EveryVerdict() {
   RunManifest m;
   m.profile = "quick & <dirty>";
@@ -41,6 +42,10 @@ RunManifest EveryVerdict() {
       Check("residual_rate", "near zero", Verdict::kMarginal, "the uncertainty reaches the limit"),
       Check("lockstep", "host agrees", Verdict::kRigError, "frames lost: 3"),
   };
+  for (const Verdict verdict : {Verdict::kPass, Verdict::kPass, Verdict::kPass, Verdict::kFail,
+                                Verdict::kInconclusive, Verdict::kInconclusive}) {
+    m.checks.push_back(Check("more", std::to_string(m.checks.size()), verdict));
+  }
   m.checks[1].measurements = {{.name = "rejects.tone",
                                .value = 0,
                                .unit = "1",
@@ -94,19 +99,19 @@ TEST(JUnit, AnXmlParserCountsWhatTheSuiteDeclares) {
   const auto number = [&](const std::string& xpath) {
     return Xmllint("--xpath 'string(" + xpath + ")'", xml);
   };
-  EXPECT_THAT(number("count(//testcase)=//testsuite/@tests and //testsuite/@tests=5"),
+  EXPECT_THAT(number("count(//testcase)=//testsuite/@tests and //testsuite/@tests=11"),
               HasSubstr("true"));
-  EXPECT_THAT(number("count(//testcase/failure)=//testsuite/@failures and count(//failure)=1"),
+  EXPECT_THAT(number("count(//testcase/failure)=//testsuite/@failures and count(//failure)=2"),
               HasSubstr("true"));
   EXPECT_THAT(number("count(//testcase/error)=//testsuite/@errors and count(//error)=1"),
               HasSubstr("true"));
-  EXPECT_THAT(number("count(//testcase/skipped)=//testsuite/@skipped and count(//skipped)=1"),
+  EXPECT_THAT(number("count(//testcase/skipped)=//testsuite/@skipped and count(//skipped)=3"),
               HasSubstr("true"));
 }
 
 TEST(JUnit, EachVerdictHasItsElementAndItsReason) {
   const std::string xml = JUnitXml(EveryVerdict());
-  EXPECT_THAT(xml, HasSubstr("tests=\"5\" failures=\"1\" errors=\"1\" skipped=\"1\""));
+  EXPECT_THAT(xml, HasSubstr("tests=\"11\" failures=\"2\" errors=\"1\" skipped=\"3\""));
   EXPECT_THAT(xml, HasSubstr("<failure type=\"fail\" message=\"0 refusals &quot;&lt;2&gt;&quot;; "
                              "rejects.tone: 0 (limit &gt;= 1)\">"));
   EXPECT_THAT(xml, HasSubstr("<error type=\"rig_error\" message=\"frames lost: 3; "));
