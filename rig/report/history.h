@@ -59,7 +59,7 @@ struct History {
   std::vector<Tone> tones;
   std::vector<Alarm> alarms;  ///< of the rig
   zro::Table table;           ///< the board's, as last read
-  double table_s = -1;        ///< when; -1 = never
+  double table_s = -1;        ///< when it was read; -1 = never
   std::string damage;         ///< where and why the record ends early; empty when it is whole
 };
 

@@ -24,7 +24,12 @@ std::string Notice(std::string_view text) {
 std::string Notices(const RunManifest& manifest, const History& history) {
   std::string out;
   if (!manifest.reason.empty()) out += Notice("ended early: " + manifest.reason);
-  if (!history.damage.empty()) out += Notice("the record ends early: " + history.damage);
+  if (!history.damage.empty()) {
+    const std::string table =
+        history.table_s < 0 ? "the board's table was never read"
+                            : fmt::format("entries are those read at {:.1f} s", history.table_s);
+    out += Notice(fmt::format("the record ends early: {}; {}", history.damage, table));
+  }
   for (std::size_t i = 0; i < std::min(history.alarms.size(), kShownAlarms); ++i) {
     out += Notice(fmt::format("alarm of the rig at {:.1f} s: {}", history.alarms[i].t_s,
                               history.alarms[i].text));

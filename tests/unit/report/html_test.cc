@@ -72,6 +72,14 @@ TEST(Html, ARunWithoutVerdictSaysSo) {
                           HasSubstr("No check was judged"), HasSubstr("No reading was refused")));
 }
 
+TEST(Html, ACutRecordSaysHowOldItsEntriesAre) {
+  History h;
+  h.damage = "cut at byte 7";
+  h.table_s = 12.5;
+  EXPECT_THAT(HtmlReport(Manifest(), h),
+              HasSubstr("the record ends early: cut at byte 7; entries are those read at 12.5 s"));
+}
+
 TEST(Html, AsksNobodyForAnything) {
   const SmallRecord record;
   const std::string html = HtmlReport(Manifest(), HistoryOf(record));
