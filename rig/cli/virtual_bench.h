@@ -18,8 +18,10 @@ class VirtualBench {
     return bench;
   }
   Instruments instruments() {
-    return {clock_,         rig_->plate(),        rig_->speaker(), rig_->bus(),
-            &rig_->power(), &rig_->environment(), &rig_->hand()};
+    return {clock_,          rig_->plate(),
+            rig_->speaker(), rig_->bus(),
+            &rig_->power(),  &rig_->environment(),
+            &rig_->hand(),   [this](Duration by) { clock_.AdvanceDate(by); }};
   }
 
  private:

@@ -15,6 +15,7 @@ struct Inputs {
   double tone_hz = 0;
   double tone_pa = 0;  ///< rms pressure at the package; 0 = silent
   double load_w = 0;   ///< heat the board makes itself
+  double age_days = 0;  ///< of the part, for effects of months
   double supply_v = 3.3;
   Axes turn_dps{};          ///< true rotation rate (hand motion)
   Axes shake_g{};           ///< acceleration beside gravity (hand motion)

@@ -7,6 +7,7 @@
 #include "core/check.h"
 #include "rig/physics/terms/acoustic_rectification.h"
 #include "rig/physics/terms/acoustic_resonance.h"
+#include "rig/physics/terms/gyro_ageing.h"
 
 namespace zrobench::physics {
 namespace {
@@ -46,7 +47,8 @@ void Term::Output(const TermContext&, std::span<const double>, std::span<const d
                   Sensed&) const {}
 
 std::span<const TermInfo> Catalogue() {
-  static const std::array infos = {AcousticRectificationInfo(), AcousticResonanceInfo()};
+  static const std::array infos = {AcousticRectificationInfo(), AcousticResonanceInfo(),
+                                   GyroAgeingInfo()};
   return infos;
 }
 

@@ -13,9 +13,10 @@ namespace {
 
 constexpr double kWeekS = 7 * 86400.0;  // longer is a slip of units
 
-const std::vector<std::string> kKinds = {"soak", "ramp", "hold", "tone", "move", "power_cycle"};
+const std::vector<std::string> kKinds = {"soak", "ramp",        "hold", "tone",
+                                         "move", "power_cycle", "date"};
 // Named by the format, not driven by this version: refused, so that nothing is left out silently.
-const std::vector<std::string> kLater = {"music", "sweep", "load", "date", "confirm"};
+const std::vector<std::string> kLater = {"music", "sweep", "load", "confirm"};
 const std::vector<std::string> kMoves = {"tap", "rotate", "vibrate", "hand_held"};
 
 std::string LimitOf(const Station& station, std::string_view key) {
@@ -141,12 +142,29 @@ PowerCycle ReadPowerCycle(TableReader reader) {
   return cycle;
 }
 
+DateStep ReadDate(TableReader reader, const Station& station) {
+  DateStep date;
+  std::size_t days = 0;
+  if (reader.Count("advance_days", &days, Range::Between(1, 3650))) {
+    date.advance_days = static_cast<double>(days);
+  }
+  reader.Require({"advance_days"});
+  reader.RefuseOtherKeys();
+  if (!station.all_virtual()) {
+    reader.Complain("", fmt::format("only a virtual rig can move the date; station {} is a real "
+                                    "bench",
+                                    station.path.string()));
+  }
+  return date;
+}
+
 Action ReadKind(const std::string& kind, const TableReader& table, const Station& station) {
   if (kind == "soak") return ReadSoak(table, station);
   if (kind == "ramp") return ReadRamp(table, station);
   if (kind == "hold") return ReadHold(table);
   if (kind == "tone") return ReadTone(table, station);
   if (kind == "move") return ReadMove(table);
+  if (kind == "date") return ReadDate(table, station);
   return ReadPowerCycle(table);
 }
 

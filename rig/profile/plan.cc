@@ -35,6 +35,7 @@ struct Timer {
   double operator()(const Hold& hold) const { return hold.for_s; }
   double operator()(const Tone& tone) const { return tone.for_s; }
   double operator()(const Move& move) const { return move.for_s; }
+  double operator()(const DateStep&) const { return 0; }
   double operator()(const PowerCycle& cycle) const { return cycle.off_s + kBootS; }
 };
 

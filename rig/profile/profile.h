@@ -30,7 +30,10 @@ struct Move {
 struct PowerCycle {
   double off_s = 0;
 };
-using Action = std::variant<Soak, Ramp, Hold, Tone, Move, PowerCycle>;
+struct DateStep {
+  double advance_days = 0;
+};  ///< wall time jumps; only a simulated bench can
+using Action = std::variant<Soak, Ramp, Hold, Tone, Move, PowerCycle, DateStep>;
 
 /// A tone or a move during a step; starts at a time in the step or when the board passes a
 /// temperature (whichever is given).

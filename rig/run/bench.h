@@ -1,5 +1,7 @@
 #pragma once
 // The instruments of one station, as the controller sees them.
+#include <functional>
+
 #include "core/clock.h"
 #include "drivers/environment/environment.h"
 #include "drivers/imu/imu_board.h"
@@ -19,6 +21,8 @@ struct Bench {
   Power* power = nullptr;
   Environment* environment = nullptr;
   Operator* hand = nullptr;
+  /// Moves wall time on; empty where the date is the real one.
+  std::function<void(Duration)> advance_date = {};
 };
 
 /// Makes the bench safe: speaker muted first, then the plate off, then the board's supply on: it

@@ -35,7 +35,7 @@ class Gatherer {
       OnBoot();
     }
     if (zro::node::StatusMsg status; Decode(frame, &status)) nv_state_ = status.nv_state;
-    if (zro::node::TimeStampMsg date; Decode(frame, &date)) evidence_.today_days = date.days;
+    if (zro::node::TimeStampMsg date; Decode(frame, &date)) OnDate(f.at_us, date.days);
   }
   void operator()(const LogItem& item) {
     const auto record = ParseDecision(item.bytes);
@@ -71,6 +71,11 @@ class Gatherer {
   }
 
  private:
+  void OnDate(std::uint64_t at_us, std::uint16_t days) {
+    const bool jumped = evidence_.today_days != 0 && days > evidence_.today_days + 1;
+    if (jumped) evidence_.date_jumps_us.push_back(at_us);
+    evidence_.today_days = days;
+  }
   void OnBoot() {
     last_seq_.reset();
     last_time_.reset();
@@ -116,6 +121,18 @@ class Gatherer {
 };
 
 }  // namespace
+
+std::span<const Second> SameAge(const Evidence& evidence, std::uint64_t at_us) {
+  const auto& jumps = evidence.date_jumps_us;
+  const auto next = std::upper_bound(jumps.begin(), jumps.end(), at_us);
+  // The second in which the date moved holds both.
+  const std::uint64_t from_us = next == jumps.begin() ? 0 : *(next - 1) + kSecond_us;
+  const std::uint64_t to_us = next == jumps.end() ? UINT64_MAX : *next;
+  const auto ends_before = [](const Second& s, std::uint64_t us) { return s.mean.at_us < us; };
+  const auto& seconds = evidence.seconds;
+  const auto first = std::lower_bound(seconds.begin(), seconds.end(), from_us, ends_before);
+  return {first, std::lower_bound(first, seconds.end(), to_us, ends_before)};
+}
 
 Result<Evidence> GatherEvidence(const std::filesystem::path& record) {
   Gatherer gatherer;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -65,9 +66,14 @@ struct Evidence {
   std::uint64_t first_us = 0, last_us = 0;
   std::vector<std::string> alarms;
   std::vector<PowerCut> cuts;
+  std::vector<std::uint64_t> date_jumps_us;  ///< the rig moved the date by more than a day
   std::uint16_t today_days = 0;  ///< since 1984-01-01, as the rig last told the board; 0 = never
   bool completed = false;        ///< the record holds its end, and the run its whole profile
 };
+
+/// The seconds between the moves of the date around `at_us`: a part that has aged in between has
+/// another true offset.
+std::span<const Second> SameAge(const Evidence& evidence, std::uint64_t at_us);
 
 /// kFile when the record cannot be read. A record cut short is read as far as it goes.
 Result<Evidence> GatherEvidence(const std::filesystem::path& record);

@@ -1,6 +1,7 @@
 #pragma once
 // One run from profile to verdict: folder, record, sequence, checks, run.json.
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "core/result.h"
@@ -18,7 +19,7 @@
 
 namespace zrobench {
 
-/// The opened instruments of a station; all borrowed, the last three may be null.
+/// The opened instruments of a station; all borrowed, the three pointers may be null.
 struct Instruments {
   Clock& clock;
   ThermalPlate& plate;
@@ -27,6 +28,8 @@ struct Instruments {
   Power* power = nullptr;
   Environment* environment = nullptr;
   Operator* hand = nullptr;
+  /// Moves wall time on; empty where the date is the real one.
+  std::function<void(Duration)> advance_date = {};
 };
 
 struct RunRequest {

@@ -12,6 +12,8 @@ namespace {
 constexpr double kRampBand_degc = 0.5;  ///< a ramp is over when the plate is this close
 constexpr double kRampTimeout_s = 600;  ///< beyond the ramp's own time
 constexpr double kBootTimeout_s = 10;
+constexpr double kDay_s = 86400;
+constexpr double kDateSettle_s = 1;  ///< the board has the date before anything else happens
 constexpr double kBootPoll_s = 0.1;
 constexpr std::uint8_t kTableBeforeCut = 1, kTableAfterBoot = 2;  ///< TableItem::when
 
@@ -31,6 +33,9 @@ struct Describer {
   }
   std::string operator()(const PowerCycle& p) const {
     return fmt::format("power off for {:g} s", p.off_s);
+  }
+  std::string operator()(const DateStep& d) const {
+    return fmt::format("date {:g} days on", d.advance_days);
   }
 };
 
@@ -127,6 +132,17 @@ Flow RunStep(BenchLoop& loop, const PowerCycle& cycle) {
     return Stop(Halt::Why::kRigFault, dated.error().message);
   }
   return loop.ReadTable(kTableAfterBoot);
+}
+
+Flow RunStep(BenchLoop& loop, const DateStep& date) {
+  if (!loop.bench().advance_date) {
+    return Stop(Halt::Why::kRigFault, "this bench cannot move the date: its clock is the real one");
+  }
+  loop.bench().advance_date(FromSeconds(date.advance_days * kDay_s));
+  if (const Status dated = loop.bench().board.SendDate(loop.bench().clock.utc()); !dated) {
+    return Stop(Halt::Why::kRigFault, dated.error().message);
+  }
+  return loop.RunFor(kDateSettle_s);
 }
 
 }  // namespace zrobench

@@ -13,6 +13,7 @@ Flow RunStep(BenchLoop& loop, const Hold& hold);
 Flow RunStep(BenchLoop& loop, const Tone& tone);
 Flow RunStep(BenchLoop& loop, const Move& move);
 Flow RunStep(BenchLoop& loop, const PowerCycle& cycle);
+Flow RunStep(BenchLoop& loop, const DateStep& date);
 
 /// "ramp to 42 degC at 4 degC/min": for records and progress.
 std::string DescribeStep(const Action& action);

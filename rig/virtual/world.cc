@@ -47,7 +47,13 @@ void World::RunHeat() {
 
 void World::RunSample(Instant t) {
   if (move_) UpdateMove(t);
+  inputs_.age_days = AgeDays();
   board_.Sample(model_.SampleSensors(inputs_), model_.temperatures().die_degc);
+}
+
+double World::AgeDays() const {
+  constexpr double kDay_ns = 86400e9;
+  return static_cast<double>(clock_.utc() - station_.virtual_rig.epoch) / kDay_ns;
 }
 
 void World::UpdateMove(Instant t) {

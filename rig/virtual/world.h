@@ -44,6 +44,8 @@ class World final : public Simulation {
   void RunSample(Instant t);
   void DeliverFrames();
   void UpdateMove(Instant t);
+  /// The part is new at the station's epoch; a date that is advanced ages it.
+  double AgeDays() const;
 
   Station station_;
   VirtualClock& clock_;

@@ -127,7 +127,8 @@ CheckResult CheckNoCorruptEntry(const Expectation& expect, const CheckContext& c
   result.measurements.push_back(WritesDuringStimuli(context.evidence));
   for (const TimedDecision& decision : context.evidence.decisions) {
     if (!WroteEntry(decision.record.code)) continue;
-    const auto reference = ReferenceAt(context.evidence, decision.record.temp_degc);
+    const auto reference =
+        ReferenceAt(SameAge(context.evidence, decision.at_us), decision.record.temp_degc);
     if (!reference) continue;
     Measurement m{.name = fmt::format("no_corrupt_entry.{:.1f}", decision.record.temp_degc),
                   .unit = "mdps",

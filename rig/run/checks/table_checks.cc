@@ -76,12 +76,13 @@ CheckResult CheckTableAccuracy(const Expectation& expect, const CheckContext& co
                           "long average",
                           from, to, within));
   const auto table = FinalTable(context.evidence);
+  const auto now = SameAge(context.evidence, context.evidence.last_us);
   for (int i = 0; table && i < table->size(); ++i) {
     const zro::Entry& entry = (*table)[i];
     if (entry.origin != zro::Origin::kLearned || entry.temp_degc < from || entry.temp_degc > to) {
       continue;
     }
-    const auto reference = ReferenceAt(context.evidence, entry.temp_degc);
+    const auto reference = ReferenceAt(now, entry.temp_degc);
     if (!reference) continue;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       result.measurements.push_back(
@@ -135,6 +136,8 @@ CheckResult CheckGranularity(const Expectation& expect, const CheckContext& cont
 
 CheckResult CheckEntryAge(const Expectation& expect, const CheckContext& context) {
   const double at_most = expect.number("at_most_days", 0);
+  const double from = expect.number("from_degc", -HUGE_VAL);
+  const double to = expect.number("to_degc", HUGE_VAL);
   const Evidence& evidence = context.evidence;
   CheckResult result =
       Start(expect, fmt::format("learned entries are dated, and at most {:g} days old", at_most));
@@ -156,7 +159,9 @@ CheckResult CheckEntryAge(const Expectation& expect, const CheckContext& context
   };
   for (int i = 0; i < table->size(); ++i) {
     const zro::Entry& entry = (*table)[i];
-    if (entry.origin != zro::Origin::kLearned) continue;
+    if (entry.origin != zro::Origin::kLearned || entry.temp_degc < from || entry.temp_degc > to) {
+      continue;
+    }
     ++learned;
     undated += entry.date == 0 ? 1 : 0;
     if (entry.date == 0) continue;

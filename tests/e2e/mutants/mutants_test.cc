@@ -28,7 +28,9 @@ const std::vector<Case> kCases = {
     {"store_never_written", "power-cycle", "table_persists"},
     {"wrong_axis", "quick-look", "residual_rate"},
     {"unlimited_extrapolation", "factory-only", "extrapolation_held"},
+    {"stale_table", "ageing", "entry_age"},
     {"dates_ignored", "thermal-sweep", "entry_age"},
+    {"dates_ignored", "ageing", "decides"},
     {"overwrites_recent", "thermal-sweep", "decides"},
 };
 

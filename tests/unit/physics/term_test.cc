@@ -79,5 +79,23 @@ TEST(Term, RunsFromFlatVectorsSoThatAFiniteDifferenceIsItsCoefficient) {
   EXPECT_NEAR((rate_z(0.076) - rate_z(0.074)) / 0.002, 4, 1e-9);  // p^2 at resonance
 }
 
+TEST(Ageing, ANewPartIsUntouchedAndAnOldOneHasMovedByDecadesAndYears) {
+  Model model;
+  model.terms = {"gyro.ageing"};
+  model.term["gyro.ageing"]["dps_per_decade"] = {0.003, 0, 0};
+  model.term["gyro.ageing"]["dps_per_year"] = {0, 0.2, -0.1};
+  RigModel rig = RigModel::Make(model, 200, 1).value();
+  const auto zro_dps = [&](double age_days) {
+    Inputs inputs;
+    inputs.age_days = age_days;
+    rig.AdvanceHeat(0.1, inputs);  // at ambient: it stays there
+    return rig.TrueZro();
+  };
+  const Axes fresh = zro_dps(0), old = zro_dps(99), year = zro_dps(365.25);
+  EXPECT_NEAR(old[0] - fresh[0], 0.006, 1e-9);  // 1 + 99 / onset of 1 day: two decades
+  EXPECT_NEAR(year[1] - fresh[1], 0.2, 1e-9);
+  EXPECT_NEAR(year[2] - fresh[2], -0.1, 1e-9);
+}
+
 }  // namespace
 }  // namespace zrobench::physics

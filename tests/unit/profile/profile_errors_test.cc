@@ -93,7 +93,7 @@ TEST(ProfileErrors, RatesAndSetPointsAreTheStations) {
 }
 
 TEST(ProfileErrors, KindsOfLaterVersionsAreRefused) {
-  for (const char* kind : {"music", "sweep", "load", "date", "confirm"}) {
+  for (const char* kind : {"music", "sweep", "load", "confirm"}) {
     EXPECT_THAT(ErrorsOf(std::string("[[step]]\n") + kind + " = { anything = 1 }\n"),
                 ElementsAre(HasSubstr("not supported by this version")))
         << kind;
@@ -207,6 +207,20 @@ TEST(ProfileErrors, LimitsOfChecks) {
                   "12:46: error: piece_s = 1 is below 2",
                   "14:29: error: from_degc = 9 is not below to_degc = 0",
                   "16:38: error: beyond_degc = -1 is below 0"));
+}
+
+TEST(ProfileErrors, TheDateMovesByWholeDaysAndOnAVirtualBenchOnly) {
+  EXPECT_THAT(ErrorsOf("[[step]]\ndate = { advance_days = 1.5 }\n"),
+              ElementsAre(HasSubstr("error: advance_days must be a whole number")));
+  EXPECT_THAT(ErrorsOf("[[step]]\ndate = { advance_days = 0 }\n"),
+              ElementsAre(HasSubstr("advance_days = 0 is below 1")));
+  EXPECT_THAT(ErrorsOf("[[step]]\ndate = {}\n"),
+              ElementsAre(HasSubstr("'advance_days' is missing in date")));
+  EXPECT_THAT(ErrorsOf("[[step]]\ndate = { advance_days = 40 }\n"), ElementsAre());
+  Station real = Bench();
+  real.board = "can:can0";
+  EXPECT_THAT(ErrorsOf("[[step]]\ndate = { advance_days = 40 }\n", real),
+              ElementsAre(HasSubstr("only a virtual rig can move the date")));
 }
 
 TEST(ProfileErrors, DecisionsAreCountedByCodeAndLimit) {

@@ -149,5 +149,28 @@ TEST_F(EvidenceTest, AlarmsAreKeptAndLostInputsCounted) {
   EXPECT_FALSE(evidence.completed);
 }
 
+TEST_F(EvidenceTest, SecondsOfAnotherAgeAreToldApart) {
+  const auto date = [&](double at_s, std::uint16_t days) {
+    Frame(at_s, Encode(zro::node::TimeStampMsg{0, days}));
+  };
+  date(0.5, 100);
+  for (int s = 1; s <= 30; ++s) {
+    recorder_->Write(MeanItem{.at_us = Us(s)});
+    if (s == 5) date(5.5, 101);  // midnight: no age to speak of
+    if (s == 10) date(10.5, 160);
+    if (s == 20) date(20.5, 230);
+  }
+  const Evidence evidence = Gather();
+  EXPECT_EQ(evidence.today_days, 230);
+  const auto from_to = [&](double at_s) {
+    const auto seconds = SameAge(evidence, Us(at_s));
+    return std::pair(seconds.front().mean.at_us / kS, seconds.back().mean.at_us / kS);
+  };
+  EXPECT_EQ(from_to(3), std::pair(std::uint64_t{1}, std::uint64_t{10}));
+  // The second in which it moved belongs to neither.
+  EXPECT_EQ(from_to(15), std::pair(std::uint64_t{12}, std::uint64_t{20}));
+  EXPECT_EQ(from_to(30), std::pair(std::uint64_t{22}, std::uint64_t{30}));
+}
+
 }  // namespace
 }  // namespace zrobench

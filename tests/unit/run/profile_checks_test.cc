@@ -132,6 +132,8 @@ TEST_F(ProfileChecks, EntriesAreDatedAndYoung) {
   const CheckResult undated = Run("entry_age", {{"at_most_days", 2.0}});
   EXPECT_EQ(undated.verdict, Verdict::kFail);
   EXPECT_THAT(undated.reason, HasSubstr("undated"));
+  HoldTable({{25, 0}, {40, 102}});
+  EXPECT_EQ(VerdictOf("entry_age", {{"at_most_days", 2.0}, {"from_degc", 30.0}}), Verdict::kPass);
 }
 
 TEST_F(ProfileChecks, WarmingAndCoolingAreComparedAtEachLearnedTemperature) {

@@ -43,6 +43,23 @@ TEST_F(SequencerTest, AWholeProfileCompletesAndLeavesTheBenchSafe) {
   EXPECT_EQ(board_.dates, 2);  // after the first reset and after the power cut
 }
 
+TEST_F(SequencerTest, TheDateIsMovedAndTheBoardIsTold) {
+  bench_.advance_date = [this](Duration by) { clock_.AdvanceDate(by); };
+  const UtcNs before = clock_.utc();
+  const Flow flow = Execute({{DateStep{40}, {}, 1}});
+  ASSERT_TRUE(flow) << flow.error().text;
+  EXPECT_NEAR(static_cast<double>(clock_.utc() - before) / 86400e9, 40, 0.001);
+  EXPECT_EQ(board_.dates, 2);
+}
+
+TEST_F(SequencerTest, ABenchOfRealTimeRefusesToMoveTheDate) {
+  const Flow flow = Execute({{DateStep{40}, {}, 1}});
+  ASSERT_FALSE(flow);
+  EXPECT_EQ(flow.error().why, Why::kRigFault);
+  EXPECT_THAT(flow.error().text, HasSubstr("cannot move the date"));
+  ExpectSafe();
+}
+
 TEST_F(SequencerTest, AFirstRampStartsWhereThePlateIs) {
   plate_.degc = plate_.target_degc = 40;
   ASSERT_TRUE(Execute({{Ramp{38, 60}, {}, 1}}));
