@@ -22,6 +22,7 @@ const std::vector<Case> kCases = {
     {"no_figure_5", "quick-look", "no_corrupt_entry"},
     {"no_figure_5", "motion-sanity", "no_corrupt_entry"},
     {"no_sanity_check", "quick-look", "no_corrupt_entry"},
+    {"no_sanity_check", "acoustic-sanity", "no_corrupt_entry"},
     {"no_stillness", "quick-look", "rejects"},
     {"no_stillness", "motion-sanity", "rejects"},
     {"store_never_written", "quick-look", "table_persists"},
