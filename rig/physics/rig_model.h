@@ -13,8 +13,8 @@ namespace zrobench::physics {
 struct Inputs {
   double drive_pct = 0;  ///< plate, -100..100
   double tone_hz = 0;
-  double tone_pa = 0;  ///< rms pressure at the package; 0 = silent
-  double load_w = 0;   ///< heat the board makes itself
+  double tone_pa = 0;   ///< rms pressure at the package; 0 = silent
+  double load_w = 0;    ///< heat the board makes itself
   double age_days = 0;  ///< of the part, for effects of months
   double supply_v = 3.3;
   Axes turn_dps{};          ///< true rotation rate (hand motion)

@@ -40,7 +40,8 @@ CheckResult CheckDecides(const Expectation& expect, const CheckContext& context)
 CheckResult CheckTableComplete(const Expectation& expect, const CheckContext& context);
 /// Largest gap between neighbouring learned entries within from_degc..to_degc, its ends included.
 CheckResult CheckGranularity(const Expectation& expect, const CheckContext& context);
-/// Learned entries (of from_degc..to_degc, where given) are dated, and by the rig's last date no older than `at_most_days`.
+/// Learned entries (of from_degc..to_degc, where given) are dated, and by the rig's last date no
+/// older than `at_most_days`.
 CheckResult CheckEntryAge(const Expectation& expect, const CheckContext& context);
 /// The rig's averages while warming and while cooling differ by no more than within_mdps: one value
 /// a temperature can be right for both.
