@@ -62,6 +62,21 @@ std::string OutOfRange(std::string_view key, double value, const Range& range) {
                      reason(range.low_reason));
 }
 
+/// Where a dotted key has more parts than any file of ours; the parser would follow them down its
+/// own stack (it bounds the depth of arrays, not that of keys).
+std::optional<Place> FindEndlessKey(std::string_view text) {
+  constexpr int kMostDots = 100;
+  Place at{1, 0};
+  int dots = 0;
+  for (const char c : text) {
+    ++at.column;
+    if (c == '.' && ++dots > kMostDots) return at;
+    if (std::string_view("=,\"'{}#\n").find(c) != std::string_view::npos) dots = 0;
+    if (c == '\n') at = {at.line + 1, 0};
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Place PlaceOf(const toml::node& node) { return PlaceOf(node.source().begin); }
@@ -72,6 +87,11 @@ Result<TomlFile> ReadToml(const std::filesystem::path& path) {
   if (!text) return tl::unexpected(text.error());
   TomlFile file{std::move(*text), {}};
   const std::string name = path.string();
+  if (const auto endless = FindEndlessKey(file.text)) {
+    Diagnostics diagnostics(name);
+    diagnostics.Add(*endless, "a key of more than a hundred parts");
+    return tl::unexpected(diagnostics.error());
+  }
   try {
     file.root = toml::parse(file.text, std::string_view(name));
   } catch (const toml::parse_error& broken) {

@@ -112,7 +112,7 @@ TEST(TomlReader, HostileNestingIsAnErrorNotACrash) {
   for (int i = 0; i < 100'000; ++i) dotted += ".a";
   EXPECT_THAT(Complaints(dotted + " = 1", nothing), ElementsAre(HasSubstr("1:")));
   EXPECT_THAT(Complaints("[" + dotted + "]\nb = 1", nothing), ElementsAre(HasSubstr("1:")));
-  EXPECT_THAT(Complaints("a = \"\xff\"", nothing), ElementsAre(HasSubstr("1:6: error:")));
+  EXPECT_THAT(Complaints("a = \"\xff\"", nothing), ElementsAre(HasSubstr("invalid utf-8")));
 }
 
 TEST(ReadTextFile, FoldersAndEndlessFilesAreRefused) {
