@@ -5,6 +5,7 @@
 #include <chrono>
 #include <csignal>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <thread>
 
 #include "rig/record/item_reader.h"
@@ -47,6 +48,12 @@ TEST_F(RunTest, TheDefaultRunPassesEveryCheckAndSaysSoInItsLastLine) {
   EXPECT_EQ(ReadText(run / "profile.toml"), ReadText(kProfiles + "quick-look.toml"));
   EXPECT_THAT(result.out, HasSubstr("report.txt"));
   EXPECT_THAT(result.err, HasSubstr("eta "));
+}
+
+TEST_F(RunTest, TheReadmeShowsThisVeryOutput) {
+  std::istringstream out(Run({"run"}).out);
+  const std::string readme = ReadText(ZROBENCH_SOURCE_DIR "/README.md");
+  for (std::string line; std::getline(out, line);) EXPECT_THAT(readme, HasSubstr(line));
 }
 
 TEST_F(RunTest, QuickLookTakesAtMostTenMinutesOfBenchTimeAndItsTableFills) {
@@ -171,7 +178,7 @@ TEST_F(RunTest, ARunFolderThatCannotBeMadeIsTheRigsFault) {
 }
 
 TEST_F(RunTest, EveryHelpBeginsWithAnExample) {
-  for (const char* verb : {"run", "check", "replay"}) {
+  for (const char* verb : {"run", "check", "plan", "replay", "report"}) {
     EXPECT_THAT(Run({verb, "--help"}).out.substr(0, 200), HasSubstr("Example: zrobench ")) << verb;
   }
 }
