@@ -4,7 +4,7 @@
 
 #include "rig/cli/verbs.h"
 #include "rig/record/decision.h"
-#include "rig/record/replay.h"
+#include "rig/record/replay/replay.h"
 #include "rig/record/utc_text.h"
 
 namespace zrobench {
@@ -38,7 +38,9 @@ nlohmann::ordered_json ToJson(const ReplaySummary& summary) {
         {"corrector_rms_mdps", summary.errors.corrector_rms_mdps(axis)},
         {"corrector_max_mdps", summary.errors.corrector_max_mdps(axis)},
         {"constant_rms_mdps", summary.errors.constant_rms_mdps(axis)},
-        {"constant_max_mdps", summary.errors.constant_max_mdps(axis)}};
+        {"constant_max_mdps", summary.errors.constant_max_mdps(axis)},
+        {"line_in_hindsight_rms_mdps", summary.hindsight.rms_mdps(axis, 1)},
+        {"cubic_in_hindsight_rms_mdps", summary.hindsight.rms_mdps(axis, 3)}};
   }
   json["entries"] = summary.final_table.size();
   return json;
@@ -62,11 +64,13 @@ void Print(const ReplaySummary& s, const std::string& recording) {
   }
   fmt::print("\nerror of the estimate before each of {} readings entered the table [mdps]\n",
              s.errors.readings());
-  fmt::print("  axis   corrector rms / max   one constant rms / max\n");
+  fmt::print(
+      "  axis   corrector rms / max   one constant rms / max   hindsight rms: line   cubic\n");
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    fmt::print("  {:<4} {:>12.1f} / {:<8.1f} {:>10.1f} / {:.1f}\n", "xyz"[axis],
-               s.errors.corrector_rms_mdps(axis), s.errors.corrector_max_mdps(axis),
-               s.errors.constant_rms_mdps(axis), s.errors.constant_max_mdps(axis));
+    fmt::print("  {:<4} {:>12.1f} / {:<8.1f} {:>10.1f} / {:<12.1f} {:>15.1f} {:>7.1f}\n",
+               "xyz"[axis], s.errors.corrector_rms_mdps(axis), s.errors.corrector_max_mdps(axis),
+               s.errors.constant_rms_mdps(axis), s.errors.constant_max_mdps(axis),
+               s.hindsight.rms_mdps(axis, 1), s.hindsight.rms_mdps(axis, 3));
   }
 }
 
@@ -91,6 +95,11 @@ int RunReplay(const ReplayArguments& arguments) {
   if (!summary) {
     fmt::print(stderr, "{}\n", summary.error().message);
     return kExitInvalid;
+  }
+  const std::size_t boots = arguments.reboot_at_s.size() + arguments.cut_at_s.size();
+  if (summary->planned_boots < boots) {
+    fmt::print(stderr, "note: {} of {} reboots and cuts lie outside the recording\n",
+               boots - summary->planned_boots, boots);
   }
   if (arguments.json) {
     fmt::print("{}\n", ToJson(*summary).dump(2));

@@ -1,7 +1,7 @@
 #include <cmath>
 
-#include "rig/record/csv_source.h"
-#include "rig/record/import_map.h"
+#include "rig/record/replay/csv_source.h"
+#include "rig/record/replay/import_map.h"
 #include "tests/unit/record/record_fixture.h"
 
 namespace zrobench::testing {

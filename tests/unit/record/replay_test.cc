@@ -1,4 +1,4 @@
-#include "rig/record/replay.h"
+#include "rig/record/replay/replay.h"
 
 #include <algorithm>
 #include <cmath>
@@ -121,6 +121,31 @@ TEST_F(ReplayTest, AStatedRateCountsRowsThatComeInBurstsAndStillSeesAGap) {
   const ReplaySummary stamped = replay("");  // the stamps alone say 1 kHz with holes
   EXPECT_GT(stamped.gaps, 100u);
   EXPECT_EQ(stamped.final_table.size(), 0);
+}
+
+TEST(HindsightTest, APolynomialLeavesWhatItsDegreeCannotTake) {
+  Hindsight hindsight;
+  for (int i = 0; i <= 10; ++i) {
+    const double t = i - 5;
+    const float reading[3] = {0.25f, static_cast<float>(0.5 + 0.125 * t),
+                              static_cast<float>(t * t * t)};
+    hindsight.Add(20 + t, reading);
+  }
+  EXPECT_NEAR(hindsight.rms_mdps(0, 0), 0, 1e-9);
+  EXPECT_NEAR(hindsight.rms_mdps(1, 0), 125 * std::sqrt(10.0), 1e-6);
+  EXPECT_NEAR(hindsight.rms_mdps(1, 1), 0, 1e-6);
+  // t^3 against t over -5 .. 5: slope 17.8, so t^3 - 17.8 t remains.
+  double squares = 0;
+  for (int t = -5; t <= 5; ++t) squares += std::pow(t * t * t - 17.8 * t, 2);
+  EXPECT_NEAR(hindsight.rms_mdps(2, 1), 1e3 * std::sqrt(squares / 11), 1e-3);
+  EXPECT_NEAR(hindsight.rms_mdps(2, 3), 0, 1e-3);
+}
+
+TEST(HindsightTest, TooFewReadingsSayNothing) {
+  Hindsight hindsight;
+  const float reading[3] = {1, 2, 3};
+  hindsight.Add(20, reading);
+  EXPECT_EQ(hindsight.rms_mdps(0, 1), 0);
 }
 
 TEST(ErrorTableTest, TheErrorIsThatOfTheEstimateBeforeTheReading) {

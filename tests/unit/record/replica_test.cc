@@ -1,5 +1,5 @@
 #include "rig/record/replica.h"
-#include "rig/record/replay.h"
+#include "rig/record/replay/replay.h"
 
 #include <cmath>
 #include <random>

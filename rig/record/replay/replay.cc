@@ -1,4 +1,4 @@
-#include "rig/record/replay.h"
+#include "rig/record/replay/replay.h"
 
 #include <fmt/format.h>
 
@@ -7,10 +7,10 @@
 #include <limits>
 
 #include "corrector/corrector.h"
-#include "rig/record/noise_survey.h"
 #include "rig/record/ram_storage.h"
-#include "rig/record/replay_files.h"
-#include "rig/record/replay_input.h"
+#include "rig/record/replay/noise_survey.h"
+#include "rig/record/replay/replay_files.h"
+#include "rig/record/replay/replay_input.h"
 #include "rig/record/utc_text.h"
 
 namespace zrobench {
@@ -145,7 +145,10 @@ class ReplayRun final : public ReplaySink {
     while (corrector_->PopEvent(&event)) {
       ++summary_.decisions[event.code];
       const bool wrote = Wrote(event.code);
-      if (wrote) summary_.errors.Add(event.measured_dps, estimate_dps_);
+      if (wrote) {
+        summary_.errors.Add(event.measured_dps, estimate_dps_);
+        summary_.hindsight.Add(double{event.temp_degc}, event.measured_dps);
+      }
       if (decisions_.wanted()) WriteDecision(t_s, event, wrote);
     }
   }

@@ -7,8 +7,8 @@
 #include <limits>
 #include <span>
 
-#include "rig/record/csv_source.h"
-#include "rig/record/replay_input.h"
+#include "rig/record/replay/csv_source.h"
+#include "rig/record/replay/replay_input.h"
 
 namespace zrobench {
 namespace {

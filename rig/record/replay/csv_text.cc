@@ -1,4 +1,4 @@
-#include "rig/record/csv_text.h"
+#include "rig/record/replay/csv_text.h"
 
 #include <algorithm>
 #include <array>

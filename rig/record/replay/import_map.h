@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/result.h"
-#include "rig/record/channel.h"
+#include "rig/record/replay/channel.h"
 
 namespace zrobench {
 

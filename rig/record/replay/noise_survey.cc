@@ -1,4 +1,4 @@
-#include "rig/record/noise_survey.h"
+#include "rig/record/replay/noise_survey.h"
 
 #include <algorithm>
 #include <cmath>

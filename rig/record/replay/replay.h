@@ -10,7 +10,8 @@
 #include "corrector/config.h"
 #include "corrector/table.h"
 #include "corrector/types.h"
-#include "rig/record/error_table.h"
+#include "rig/record/replay/error_table.h"
+#include "rig/record/replay/hindsight.h"
 
 namespace zrobench {
 
@@ -35,6 +36,7 @@ struct ReplaySummary {
   std::map<zro::Code, std::uint64_t> decisions;
   zro::Table final_table{};
   ErrorTable errors;
+  Hindsight hindsight;  ///< of the readings that entered the table
 };
 
 /// Runs the corrector over a recording: a CSV of canonical columns or with a map, a ULog of ours,

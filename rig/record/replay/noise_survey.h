@@ -2,7 +2,7 @@
 #include <optional>
 #include <vector>
 
-#include "rig/record/replay_input.h"
+#include "rig/record/replay/replay_input.h"
 
 namespace zrobench {
 

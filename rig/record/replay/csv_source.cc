@@ -1,4 +1,4 @@
-#include "rig/record/csv_source.h"
+#include "rig/record/replay/csv_source.h"
 
 #include <fmt/format.h>
 
@@ -9,7 +9,7 @@
 #include <limits>
 #include <utility>
 
-#include "rig/record/csv_text.h"
+#include "rig/record/replay/csv_text.h"
 
 namespace zrobench {
 namespace {

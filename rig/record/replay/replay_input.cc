@@ -1,4 +1,4 @@
-#include "rig/record/replay_input.h"
+#include "rig/record/replay/replay_input.h"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "rig/record/replay_files.h"
+#include "rig/record/replay/replay_files.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/text_file.h"
-#include "rig/record/csv_text.h"
+#include "rig/record/replay/csv_text.h"
 #include "rig/record/utc_text.h"
 
 namespace zrobench {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/result.h"
-#include "rig/record/channel.h"
-#include "rig/record/import_map.h"
+#include "rig/record/replay/channel.h"
+#include "rig/record/replay/import_map.h"
 
 namespace zrobench {
 

@@ -3,7 +3,7 @@
 
 #include "corrector/node/codec.h"
 #include "rig/record/item_reader.h"
-#include "rig/record/replay_input.h"
+#include "rig/record/replay/replay_input.h"
 #include "rig/record/sample_counter.h"
 
 namespace zrobench {

@@ -1,4 +1,4 @@
-#include "rig/record/import_map.h"
+#include "rig/record/replay/import_map.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
