@@ -33,3 +33,9 @@ function(zrobench_test name)
   gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
     PROPERTIES LABELS ${ARG_LABELS} TIMEOUT 300)
 endfunction()
+
+# zrobench_hot(NAME): simulated hours run through this room; worth optimising under the sanitizers,
+# which build everything else unoptimised to be built soon.
+function(zrobench_hot name)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:None>:-O1>)
+endfunction()
