@@ -16,7 +16,7 @@ namespace zrobench::physics {
 namespace {
 
 // Streams of the seed. Fixed numbers: a new source of randomness must not change the old ones.
-enum Stream : std::uint64_t { kGyroWhite = 0, kAccelWhite = 3, kGyroFlicker = 6 };
+enum Stream : std::uint64_t { kGyroWhite = 0, kAccelWhite = 3, kGyroFlicker = 6, kSound = 9 };
 
 template <typename Source, typename... Leading>
 std::array<Source, 3> PerAxis(std::uint64_t seed, std::uint64_t first_stream, Leading... leading) {
@@ -37,7 +37,8 @@ struct RigModel::State {
         terms(ActiveTerms(model_in)),
         gyro_white(PerAxis<RandomStream>(seed, kGyroWhite)),
         accel_white(PerAxis<RandomStream>(seed, kAccelWhite)),
-        gyro_flicker(PerAxis<FlickerNoise>(seed, kGyroFlicker, gyro.flicker_dps, sample_hz)) {
+        gyro_flicker(PerAxis<FlickerNoise>(seed, kGyroFlicker, gyro.flicker_dps, sample_hz)),
+        sound(PerAxis<RandomStream>(seed, kSound)) {
     std::size_t states = 0;
     for (const ActiveTerm& term : terms) states += term.info->states;
     term_states.resize(states);
@@ -51,10 +52,19 @@ struct RigModel::State {
     for (const ActiveTerm& term : terms) term.info->term->PowerOn(StatesOf(term));
   }
   HeatFlows Heat(const Inputs& inputs) const {
-    return {heat.PlateHeat(inputs.drive_pct), inputs.load_w};
+    HeatFlows flows{heat.PlateHeat(inputs.drive_pct), inputs.load_w};
+    for (const ActiveTerm& term : terms) {
+      flows.board_w += term.info->term->BoardHeat_w(inputs, term.parameters);
+    }
+    return flows;
   }
   void AddTerms(const Inputs& inputs, Sensed& sensed) {
-    const TermContext context{inputs, heat.temperatures(), sample_period_s};
+    TermContext context{inputs, heat.temperatures(), sample_period_s, {}};
+    if (inputs.tone_band_hz > 0 && inputs.tone_pa > 0) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        context.normals[axis] = {sound[axis].Normal(), sound[axis].Normal()};
+      }
+    }
     for (const ActiveTerm& term : terms) {
       term.info->term->Step(context, term.parameters, StatesOf(term));
       term.info->term->Output(context, term.parameters, StatesOf(term), sensed);
@@ -73,6 +83,7 @@ struct RigModel::State {
   std::array<RandomStream, 3> gyro_white;
   std::array<RandomStream, 3> accel_white;
   std::array<FlickerNoise, 3> gyro_flicker;
+  std::array<RandomStream, 3> sound;
 };
 
 Result<RigModel> RigModel::Make(const Model& model, double sample_hz, std::uint64_t seed) {
@@ -128,7 +139,7 @@ Axes RigModel::TrueZro() const {
   quiet.tone_pa = 0;
   quiet.turn_dps = quiet.shake_g = {};
   for (const ActiveTerm& term : s.terms) {
-    term.info->term->Output({quiet, now, s.sample_period_s}, term.parameters, s.StatesOf(term),
+    term.info->term->Output({quiet, now, s.sample_period_s, {}}, term.parameters, s.StatesOf(term),
                             sensed);
   }
   return sensed.rate_dps;

@@ -13,9 +13,12 @@ namespace zrobench::physics {
 struct Inputs {
   double drive_pct = 0;  ///< plate, -100..100
   double tone_hz = 0;
-  double tone_pa = 0;   ///< rms pressure at the package; 0 = silent
-  double load_w = 0;    ///< heat the board makes itself
-  double age_days = 0;  ///< of the part, for effects of months
+  double tone_pa = 0;       ///< rms pressure at the package; 0 = silent
+  double tone_band_hz = 0;  ///< 0 = a sine; else noise, flat over this width about tone_hz
+  double load_w = 0;        ///< heat brought to the board, beside its own (thermal.self_heating)
+  double load_pct = 0;      ///< how hard the board works, 0..100
+  bool powered = true;      ///< the board has its supply
+  double age_days = 0;      ///< of the part, for effects of months
   double supply_v = 3.3;
   Axes turn_dps{};          ///< true rotation rate (hand motion)
   Axes shake_g{};           ///< acceleration beside gravity (hand motion)

@@ -5,9 +5,11 @@
 #include <numeric>
 
 #include "core/check.h"
+#include "rig/physics/terms/acoustic_alias.h"
 #include "rig/physics/terms/acoustic_rectification.h"
 #include "rig/physics/terms/acoustic_resonance.h"
 #include "rig/physics/terms/gyro_ageing.h"
+#include "rig/physics/terms/thermal_self_heating.h"
 
 namespace zrobench::physics {
 namespace {
@@ -45,10 +47,12 @@ void Term::PowerOn(std::span<double>) const {}
 void Term::Step(const TermContext&, std::span<const double>, std::span<double>) const {}
 void Term::Output(const TermContext&, std::span<const double>, std::span<const double>,
                   Sensed&) const {}
+double Term::BoardHeat_w(const Inputs&, std::span<const double>) const { return 0; }
 
 std::span<const TermInfo> Catalogue() {
-  static const std::array infos = {AcousticRectificationInfo(), AcousticResonanceInfo(),
-                                   GyroAgeingInfo()};
+  static const std::array infos = {AcousticAliasInfo(), AcousticRectificationInfo(),
+                                   AcousticResonanceInfo(), GyroAgeingInfo(),
+                                   ThermalSelfHeatingInfo()};
   return infos;
 }
 

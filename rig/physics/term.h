@@ -3,6 +3,7 @@
 // catalogue. The same objects serve the rig run forward and the diagnosis that fits them: a term
 // holds nothing; its parameters and its states are flat vectors that the caller owns, so a finite
 // difference is a changed number.
+#include <array>
 #include <cstddef>
 #include <span>
 #include <string>
@@ -19,6 +20,8 @@ struct TermContext {
   const Inputs& inputs;
   Temperatures temperatures;
   double sample_period_s = 0;
+  /// Independent unit normals, two an axis, anew each sample; zero unless noise sounds.
+  std::array<std::array<double, 2>, 3> normals{};
 };
 
 /// One effect. Stateless; every hook does nothing unless overridden. `parameters` has the layout
@@ -35,6 +38,8 @@ class Term {
   /// Adds to what the sensors show; `sensed` holds the base model and the terms before this one.
   virtual void Output(const TermContext& context, std::span<const double> parameters,
                       std::span<const double> states, Sensed& sensed) const;
+  /// Heat that the term puts into the board [W].
+  virtual double BoardHeat_w(const Inputs& inputs, std::span<const double> parameters) const;
 };
 
 struct ParameterInfo {

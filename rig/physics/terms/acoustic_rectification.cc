@@ -1,6 +1,7 @@
 #include "rig/physics/terms/acoustic_rectification.h"
 
 #include "rig/physics/terms/acoustic_resonance.h"
+#include "rig/physics/terms/resonator.h"
 
 namespace zrobench::physics {
 namespace {
@@ -11,14 +12,25 @@ constexpr std::size_t kQ = 3 + ResonanceLayout::kQ;
 
 class AcousticRectification final : public Term {
  public:
-  void Output(const TermContext& context, std::span<const double> parameters,
-              std::span<const double>, Sensed& sensed) const override {
-    const double tone_pa = context.inputs.tone_pa;
-    if (tone_pa == 0) return;
+  void Step(const TermContext& context, std::span<const double> parameters,
+            std::span<double> states) const override {
+    if (context.inputs.tone_pa == 0) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double moved = tone_pa * ResonantGain(context.inputs.tone_hz,
-                                                  parameters[kResonanceHz + axis], parameters[kQ]);
-      sensed.rate_dps[axis] += parameters[kDpsPerPa2 + axis] * moved * moved;
+      StepResonator(context, axis, parameters[kResonanceHz + axis], parameters[kQ],
+                    states.subspan(axis * kResonatorStates, kResonatorStates));
+    }
+  }
+  void Output(const TermContext& context, std::span<const double> parameters,
+              std::span<const double> states, Sensed& sensed) const override {
+    const Inputs& inputs = context.inputs;
+    if (inputs.tone_pa == 0) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto envelope = inputs.tone_band_hz > 0
+                                ? states.subspan(axis * kResonatorStates, kResonatorStates)
+                                : std::span<const double>();
+      const auto motion =
+          MotionOf(inputs, parameters[kResonanceHz + axis], parameters[kQ], envelope);
+      sensed.rate_dps[axis] += parameters[kDpsPerPa2 + axis] * motion.power();
     }
   }
 };
@@ -30,9 +42,11 @@ TermInfo AcousticRectificationInfo() {
   return {
       .id = "acoustic.rectification",
       .sentence =
-          "While a tone excites an axis' resonance, its rate shifts by a constant that "
-          "grows with the square of the sound pressure.",
-      .equation = "y = dps_per_pa2 p^2 |H(f)|^2, H as in acoustic.resonance",
+          "While sound excites an axis' resonance, its rate shifts by a constant that grows with "
+          "the square of the sound pressure there; noise in a band shifts it by its energy.",
+      .equation =
+          "y = dps_per_pa2 p^2 |H(f)|^2, H as in acoustic.resonance; for noise the energy that H "
+          "passes",
       .source =
           "the quadratic law: Sensors 2021 21(3) 945 for an accelerometer; magnitude: "
           "engineering estimate",
@@ -47,7 +61,7 @@ TermInfo AcousticRectificationInfo() {
       .channels = {"gyro_x_dps", "gyro_y_dps", "gyro_z_dps"},
       .lookalikes = {"acoustic.alias", "gyro.vibration_rectification", "acoustic.emi"},
       .excitation = "tone bursts on and off at resonance, at two levels",
-      .states = 0,
+      .states = 3 * kResonatorStates,
       .term = &term,
   };
 }

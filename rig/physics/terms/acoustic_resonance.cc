@@ -3,28 +3,35 @@
 #include <cmath>
 #include <numbers>
 
+#include "rig/physics/terms/resonator.h"
+
 namespace zrobench::physics {
 namespace {
 
 using Layout = ResonanceLayout;
 
-/// States: the phase of each axis' beat, in turns 0 .. 1. Moving it by the unfolded beat frequency
-/// a sample makes the sampled sinusoid fold at sample_hz / 2 by itself, and a phase that is a state
-/// stays continuous when the tone moves.
+constexpr std::size_t kEnvelopes = 3;  ///< first of the resonators' states
+
+/// States: the phase of each axis' beat, in turns 0 .. 1, then the resonators'. Moving a phase by
+/// the unfolded beat frequency a sample makes the sampled sinusoid fold at sample_hz / 2 by itself,
+/// and a phase that is a state stays continuous when the tone moves.
 class AcousticResonance final : public Term {
  public:
   // The drive oscillator starts anew, and with it the beat.
   void PowerOn(std::span<double> states) const override {
-    for (double& turns : states) turns = 0;
+    for (double& state : states) state = 0;
   }
   void Step(const TermContext& context, std::span<const double> parameters,
             std::span<double> states) const override {
     if (context.inputs.tone_pa == 0) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double drive_hz =
-          parameters[Layout::kResonanceHz + axis] - parameters[Layout::kModeSplitHz];
-      const double turns =
-          states[axis] + (context.inputs.tone_hz - drive_hz) * context.sample_period_s;
+      const double resonance_hz = parameters[Layout::kResonanceHz + axis];
+      StepResonator(context, axis, resonance_hz, parameters[Layout::kQ],
+                    states.subspan(kEnvelopes + axis * kResonatorStates, kResonatorStates));
+      const double drive_hz = resonance_hz - parameters[Layout::kModeSplitHz];
+      const double moved_hz =
+          context.inputs.tone_band_hz > 0 ? resonance_hz : context.inputs.tone_hz;
+      const double turns = states[axis] + (moved_hz - drive_hz) * context.sample_period_s;
       states[axis] = turns - std::floor(turns);
     }
   }
@@ -32,30 +39,26 @@ class AcousticResonance final : public Term {
               std::span<const double> states, Sensed& sensed) const override {
     if (context.inputs.tone_pa == 0) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double gain = ResonantGain(
-          context.inputs.tone_hz, parameters[Layout::kResonanceHz + axis], parameters[Layout::kQ]);
-      sensed.rate_dps[axis] += parameters[Layout::kInjection + axis] * context.inputs.tone_pa *
-                               gain * std::cos(2 * std::numbers::pi * states[axis]);
+      const auto motion =
+          MotionOf(context.inputs, parameters[Layout::kResonanceHz + axis], parameters[Layout::kQ],
+                   states.subspan(kEnvelopes + axis * kResonatorStates, kResonatorStates));
+      const double angle = 2 * std::numbers::pi * states[axis];
+      const double swing = motion.in_phase * std::cos(angle) - motion.quadrature * std::sin(angle);
+      sensed.rate_dps[axis] += parameters[Layout::kInjection + axis] * motion.pa * swing;
     }
   }
 };
 
 }  // namespace
 
-double ResonantGain(double tone_hz, double resonance_hz, double q) {
-  const double ratio = tone_hz / resonance_hz;
-  const double stiffness = 1 - ratio * ratio;
-  const double damping = ratio / q;
-  return 1 / (q * std::sqrt(stiffness * stiffness + damping * damping));
-}
-
 TermInfo AcousticResonanceInfo() {
   static const AcousticResonance term;
   return {
       .id = "acoustic.resonance",
       .sentence =
-          "A tone near an axis' mechanical resonance appears in its rate as a sinusoid at "
-          "the beat with the drive, folded by the sample rate.",
+          "Sound near an axis' mechanical resonance appears in its rate at the beat with the "
+          "drive, "
+          "folded by the sample rate: a tone as a sinusoid, a band of noise as noise.",
       .equation =
           "y = injection p |H(f)| cos(2 pi (f - f_d) t), f_d = resonance - mode_split, "
           "H(f) = 1 / (1 - (f/f_r)^2 + j f/(Q f_r)), |H(f_r)| scaled to 1",
@@ -83,7 +86,7 @@ TermInfo AcousticResonanceInfo() {
       .channels = {"gyro_x_dps", "gyro_y_dps", "gyro_z_dps"},
       .lookalikes = {"acoustic.alias", "acoustic.structure_borne", "acoustic.harmonics"},
       .excitation = "tones in steps across the resonance, at two levels",
-      .states = 3,
+      .states = kEnvelopes + 3 * kResonatorStates,
       .term = &term,
   };
 }

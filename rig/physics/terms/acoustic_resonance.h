@@ -17,8 +17,4 @@ struct ResonanceLayout {
   static constexpr std::size_t kInjection = 5;  ///< 3
 };
 
-/// |H(f)| of a resonator 1 / (1 - (f/f_r)^2 + j f / (Q f_r)), divided by its value Q at f = f_r, so
-/// that it is 1 there. The half-power width of |H|^2 is f_r / Q.
-double ResonantGain(double tone_hz, double resonance_hz, double q);
-
 }  // namespace zrobench::physics

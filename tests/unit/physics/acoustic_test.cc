@@ -6,7 +6,7 @@
 
 #include "core/units.h"
 #include "rig/physics/rig_model.h"
-#include "rig/physics/terms/acoustic_resonance.h"
+#include "rig/physics/terms/resonator.h"
 
 namespace zrobench::physics {
 namespace {

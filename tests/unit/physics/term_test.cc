@@ -60,7 +60,7 @@ TEST(ActiveTerms, HoldsWhatIsListedInItsOrderAndNothingElse) {
   EXPECT_EQ(both[0].info->id, "acoustic.resonance");
   EXPECT_EQ(both[0].first_state, 0u);
   EXPECT_EQ(both[1].info->id, "acoustic.rectification");
-  EXPECT_EQ(both[1].first_state, 3u);
+  EXPECT_EQ(both[1].first_state, both[0].info->states);
 }
 
 TEST(Term, RunsFromFlatVectorsSoThatAFiniteDifferenceIsItsCoefficient) {
@@ -73,7 +73,7 @@ TEST(Term, RunsFromFlatVectorsSoThatAFiniteDifferenceIsItsCoefficient) {
     std::vector<double> moved = parameters;
     moved[2] = coefficient;
     Sensed sensed;
-    info.term->Output({inputs, {}, 0.005}, moved, {}, sensed);
+    info.term->Output({inputs, {}, 0.005, {}}, moved, {}, sensed);
     return sensed.rate_dps[2];
   };
   EXPECT_NEAR((rate_z(0.076) - rate_z(0.074)) / 0.002, 4, 1e-9);  // p^2 at resonance
@@ -95,6 +95,35 @@ TEST(Ageing, ANewPartIsUntouchedAndAnOldOneHasMovedByDecadesAndYears) {
   EXPECT_NEAR(old[0] - fresh[0], 0.006, 1e-9);  // 1 + 99 / onset of 1 day: two decades
   EXPECT_NEAR(year[1] - fresh[1], 0.2, 1e-9);
   EXPECT_NEAR(year[2] - fresh[2], -0.1, 1e-9);
+}
+
+TEST(SelfHeating, TheBoardsWorkWarmsTheDieAboveThePlateByWattsOverConductance) {
+  Model model;
+  model.terms = {"thermal.self_heating"};
+  model.term["thermal.self_heating"]["idle_w"] = {0.2};
+  model.term["thermal.self_heating"]["full_load_w"] = {4};
+  model.plate.heat_capacity_j_per_k = 1e6;  // holds whatever the board does
+  model.board->to_ambient_w_per_k = 0;
+  RigModel rig = RigModel::Make(model, 200, 1).value();
+  const auto rise_k = [&](double load_pct, bool powered) {
+    Inputs inputs;
+    inputs.load_pct = load_pct;
+    inputs.powered = powered;
+    rig.AdvanceHeat(300, inputs);
+    return rig.temperatures().die_degc - rig.temperatures().plate_degc;
+  };
+  EXPECT_NEAR(rise_k(0, true), 0.2 / 0.8, 1e-3);
+  EXPECT_NEAR(rise_k(50, true), 2.2 / 0.8, 1e-3);
+  EXPECT_NEAR(rise_k(100, true), 4.2 / 0.8, 1e-3);
+  EXPECT_NEAR(rise_k(100, false), 0, 1e-3);
+}
+
+TEST(SelfHeating, IsOffUnlessListed) {
+  RigModel rig = RigModel::Make(Model{}, 200, 1).value();
+  Inputs inputs;
+  inputs.load_pct = 100;
+  rig.AdvanceHeat(300, inputs);
+  EXPECT_EQ(rig.temperatures().die_degc, 23);
 }
 
 }  // namespace

@@ -1,0 +1,103 @@
+#include "rig/physics/terms/acoustic_alias.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "rig/physics/terms/acoustic_resonance.h"
+#include "rig/physics/terms/resonator.h"
+
+namespace zrobench::physics {
+namespace {
+
+constexpr std::size_t kDpsPerPa = 0;  // 3
+constexpr std::size_t kClockPpmPerK = 3, kClockReferenceDegc = 4;
+constexpr std::size_t kBorrowed = 5;  // the resonance's own
+constexpr std::size_t kResonanceHz = kBorrowed + ResonanceLayout::kResonanceHz;
+constexpr std::size_t kQ = kBorrowed + ResonanceLayout::kQ;
+constexpr std::size_t kEnvelopes = 3;  ///< first of the resonators' states
+
+/// States: the phase of each axis' motion at the sampling instants, in turns 0 .. 1, then the
+/// resonators'. The phase moves by f times the gyro's own sample period, whole turns dropped: that
+/// is the folding. The clock is the gyro's own oscillator and runs with the die's temperature.
+class AcousticAlias final : public Term {
+ public:
+  void PowerOn(std::span<double> states) const override {
+    for (double& state : states) state = 0;
+  }
+  void Step(const TermContext& context, std::span<const double> parameters,
+            std::span<double> states) const override {
+    const Inputs& inputs = context.inputs;
+    if (inputs.tone_pa == 0) return;
+    const double warmer_k = context.temperatures.die_degc - parameters[kClockReferenceDegc];
+    const double period_s =
+        context.sample_period_s / (1 + 1e-6 * parameters[kClockPpmPerK] * warmer_k);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double resonance_hz = parameters[kResonanceHz + axis];
+      StepResonator(context, axis, resonance_hz, parameters[kQ],
+                    states.subspan(kEnvelopes + axis * kResonatorStates, kResonatorStates));
+      const double moved_hz = inputs.tone_band_hz > 0 ? resonance_hz : inputs.tone_hz;
+      const double turns = states[axis] + moved_hz * period_s;
+      states[axis] = turns - std::floor(turns);
+    }
+  }
+  void Output(const TermContext& context, std::span<const double> parameters,
+              std::span<const double> states, Sensed& sensed) const override {
+    if (context.inputs.tone_pa == 0) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto motion =
+          MotionOf(context.inputs, parameters[kResonanceHz + axis], parameters[kQ],
+                   states.subspan(kEnvelopes + axis * kResonatorStates, kResonatorStates));
+      const double angle = 2 * std::numbers::pi * states[axis];
+      const double swing = motion.in_phase * std::cos(angle) - motion.quadrature * std::sin(angle);
+      sensed.rate_dps[axis] += parameters[kDpsPerPa + axis] * motion.pa * swing;
+    }
+  }
+};
+
+}  // namespace
+
+TermInfo AcousticAliasInfo() {
+  static const AcousticAlias term;
+  return {
+      .id = "acoustic.alias",
+      .sentence =
+          "Sound near an axis' resonance, sampled without demodulation, folds at the output data "
+          "rate into a line that moves with the gyro's clock: a slow beat, or an offset.",
+      .equation =
+          "y = dps_per_pa p |H(f)| cos(2 pi |f - n f_s| t), n = round(f / f_s), "
+          "f_s = sample_hz (1 + 1e-6 clock_ppm_per_k (T_d - clock_reference)), "
+          "H as in acoustic.resonance",
+      .source =
+          "Trippel et al., WALNUT, IEEE EuroS&P 2017; Tu et al., Injected and Delivered, USENIX "
+          "Security 2018 (sample clock drift moves the alias); magnitudes: engineering estimate",
+      .parameters = {{"dps_per_pa",
+                      "dps/Pa",
+                      {0.02, 0.02, 0.03},
+                      0.03,
+                      true,
+                      false,
+                      "amplitude per rms pressure at resonance"},
+                     {"clock_ppm_per_k",
+                      "1e-6/K",
+                      {100},
+                      100,
+                      false,
+                      false,
+                      "positive: the gyro samples faster when warm"},
+                     {"clock_reference_degc",
+                      "degC",
+                      {25},
+                      25,
+                      false,
+                      false,
+                      "die temperature at which the clock is right"}},
+      .borrows = "acoustic.resonance",
+      .channels = {"gyro_x_dps", "gyro_y_dps", "gyro_z_dps"},
+      .lookalikes = {"acoustic.rectification", "acoustic.resonance"},
+      .excitation = "tones near resonance, moved by 1 Hz, at two temperatures",
+      .states = kEnvelopes + 3 * kResonatorStates,
+      .term = &term,
+  };
+}
+
+}  // namespace zrobench::physics
