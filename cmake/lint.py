@@ -5,6 +5,7 @@ A source that passed is not looked at again until it, one of its headers or the 
 """
 import hashlib
 import json
+import re
 import shlex
 import subprocess
 import sys
@@ -42,6 +43,14 @@ def object_of(command):
     return words[words.index("-o") + 1]
 
 
+def without_gcc_pch(commands, folder):
+    """Writes the compile commands without gcc's precompiled headers, which clang cannot read."""
+    for command in commands:
+        command["command"] = re.sub(r" (-include \S*cmake_pch\.hxx|-fpch-preprocess|-Winvalid-pch)",
+                                    "", command["command"])
+    (folder / "compile_commands.json").write_text(json.dumps(commands))
+
+
 def key_of(files, contents={}):
     """Hash of the files' names and contents."""
     digest = hashlib.sha256()
@@ -52,10 +61,10 @@ def key_of(files, contents={}):
     return digest.hexdigest()
 
 
-def tidy(build, source):
+def tidy(commands, source):
     """What clang-tidy says, empty when the source is clean."""
     # The build's own compiler gives the warnings; clang's differ, and are not errors here.
-    done = subprocess.run(["clang-tidy", "--quiet", "--extra-arg=-Wno-error", "-p", str(build),
+    done = subprocess.run(["clang-tidy", "--quiet", "--extra-arg=-Wno-error", "-p", str(commands),
                            str(source)], capture_output=True, text=True)
     return done.stdout + done.stderr if done.returncode else ""
 
@@ -69,8 +78,10 @@ def main():
     headers = headers_by_object(build)
     passed = build / "lint-passed"
     passed.mkdir(exist_ok=True)
+    commands = json.loads((build / "compile_commands.json").read_text())
+    without_gcc_pch(commands, passed)
     todo = {}
-    for command in json.loads((build / "compile_commands.json").read_text()):
+    for command in commands:
         source = Path(command["file"])
         # Tests are many and each draws in all of GoogleTest: minutes for little.
         if source not in ours or (ROOT / "tests") in source.parents:
@@ -81,7 +92,7 @@ def main():
     if todo:
         print(f"lint: clang-tidy over {len(todo)} files", flush=True)
     with ThreadPoolExecutor(JOBS) as pool:
-        for (source, stamp), said in zip(todo.items(), pool.map(lambda s: tidy(build, s), todo)):
+        for (source, stamp), said in zip(todo.items(), pool.map(lambda s: tidy(passed, s), todo)):
             if said:
                 clean = False
                 print(said, f"lint: {source} failed", sep="\n", flush=True)

@@ -17,12 +17,25 @@ endfunction()
 # What ./run-tests builds a second time, with sanitizers.
 add_custom_target(sanitized_tests)
 
+# GoogleTest, parsed once for all tests; they include it all the same.
+function(zrobench_test_headers)
+  file(WRITE ${CMAKE_BINARY_DIR}/test_headers.cc "")
+  add_library(test_headers OBJECT ${CMAKE_BINARY_DIR}/test_headers.cc)
+  target_link_libraries(test_headers PRIVATE zrobench_options GTest::gmock)
+  target_compile_options(test_headers PRIVATE ${zrobench_test_options})
+  target_precompile_headers(test_headers PRIVATE <gmock/gmock.h> <gtest/gtest.h>)
+endfunction()
+set(zrobench_test_options
+  $<$<CONFIG:Release>:-O1>  # tests are built more than run
+  -fpch-preprocess)         # ccache asks for it (its manual, "Precompiled headers")
+
 # zrobench_test(NAME [LABELS l ...] SOURCES a_test.cc ... DEPS lib ...)
 function(zrobench_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPS;LABELS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_DEPS} zrobench_options GTest::gmock GTest::gtest_main)
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)  # tests are built more than run
+  target_compile_options(${name} PRIVATE ${zrobench_test_options})
+  target_precompile_headers(${name} REUSE_FROM test_headers)
   target_compile_definitions(${name} PRIVATE ZROBENCH_SOURCE_DIR="${CMAKE_SOURCE_DIR}")
   if(NOT ARG_LABELS)
     set(ARG_LABELS unit)

@@ -57,6 +57,9 @@ std::vector<std::string> Lines(std::string_view text) {
   return lines;
 }
 
+// An include of ours or of the libraries; the first group is our header's path.
+const std::regex kInclude("^\\s*#\\s*include\\s*(?:\"([^\"]+)\"|<)");
+
 std::string Fault(std::string_view path, std::size_t line, const std::string& what) {
   return fmt::format("{}:{}: {}", path, line, what);
 }
@@ -120,7 +123,6 @@ std::string RoomOf(std::string_view path) {
 }
 
 std::vector<std::string> IncludeFaults(std::string_view path, std::string_view text) {
-  static const std::regex kInclude("^\\s*#\\s*include\\s*\"([^\"]+)\"");
   const std::string room = RoomOf(path);
   const bool test = path.starts_with("tests/");
   std::vector<std::string> faults;
@@ -128,7 +130,7 @@ std::vector<std::string> IncludeFaults(std::string_view path, std::string_view t
   for (const std::string& line : Lines(WithoutComments(text))) {
     ++number;
     std::smatch match;
-    if (!std::regex_search(line, match, kInclude)) continue;
+    if (!std::regex_search(line, match, kInclude) || !match[1].matched) continue;
     const std::string included = match[1];
     const std::string other = RoomOf(included);
     if (other == "rig/cli" && room != "rig/cli") {
@@ -178,6 +180,21 @@ std::vector<std::string> LengthFaults(std::string_view path, std::string_view te
   const auto lines = static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
   if (lines <= kMaxLines) return {};
   return {Fault(path, lines, fmt::format("{} lines, at most {}", lines, kMaxLines))};
+}
+
+std::vector<std::string> OwnHeaderFaults(std::string_view path, std::string_view text) {
+  if (!path.ends_with(".cc")) return {};
+  const std::string own = std::string(path.substr(0, path.size() - 3)) + ".h";
+  std::size_t number = 0;
+  std::size_t includes = 0;
+  for (const std::string& line : Lines(WithoutComments(text))) {
+    ++number;
+    std::smatch match;
+    if (!std::regex_search(line, match, kInclude)) continue;
+    if (match[1] == own && includes > 0) return {Fault(path, number, "not the first: " + own)};
+    ++includes;
+  }
+  return {};
 }
 
 }  // namespace zrobench::structure

@@ -20,5 +20,7 @@ std::vector<std::string> ClockFaults(std::string_view path, std::string_view tex
 /// What the target does not have: heap, exceptions, double, most of the libraries.
 std::vector<std::string> FreestandingFaults(std::string_view path, std::string_view text);
 std::vector<std::string> LengthFaults(std::string_view path, std::string_view text);
+/// A source that includes its own header does so first: that proves that the header compiles alone.
+std::vector<std::string> OwnHeaderFaults(std::string_view path, std::string_view text);
 
 }  // namespace zrobench::structure

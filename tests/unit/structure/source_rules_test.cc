@@ -86,5 +86,13 @@ TEST(SourceRules, FilesStayShort) {
   EXPECT_THAT(LengthFaults("a.cc", std::string(401, '\n')), SizeIs(1));
 }
 
+TEST(SourceRules, ASourceIncludesItsOwnHeaderFirst) {
+  EXPECT_THAT(OwnHeaderFaults("rig/run/a.cc", "#include <vector>\n#include \"rig/run/a.h\"\n"),
+              ElementsAre("rig/run/a.cc:2: not the first: rig/run/a.h"));
+  EXPECT_THAT(OwnHeaderFaults("rig/run/a.cc", "#include \"rig/run/a.h\"\n#include <vector>\n"),
+              IsEmpty());
+  EXPECT_THAT(OwnHeaderFaults("rig/run/a.cc", "#include <vector>\n"), IsEmpty());
+}
+
 }  // namespace
 }  // namespace zrobench::structure

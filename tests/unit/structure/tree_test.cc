@@ -39,6 +39,7 @@ void ExpectClean(Rule rule) {
 TEST(Structure, RoomsIncludeOnlyWhomTheyMay) { ExpectClean(IncludeFaults); }
 TEST(Structure, OnlyTheClockReadsClocks) { ExpectClean(ClockFaults); }
 TEST(Structure, TheCorrectorIsFreestanding) { ExpectClean(FreestandingFaults); }
+TEST(Structure, ASourceIncludesItsOwnHeaderFirst) { ExpectClean(OwnHeaderFaults); }
 TEST(Structure, NoFileIsTooLong) { ExpectClean(LengthFaults); }
 
 }  // namespace
