@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
+#include "rig/physics/heat_model.h"
 #include "rig/physics/noise.h"
 #include "rig/physics/random.h"
 #include "rig/physics/signal.h"
 #include "rig/physics/term.h"
-#include "rig/physics/thermal_network.h"
 
 namespace zrobench::physics {
 namespace {
@@ -34,30 +34,11 @@ struct RigModel::State {
         gyro_sigma_dps(WhiteSigma(gyro.noise_density_dps_per_rthz, sample_hz)),
         accel_sigma_g(WhiteSigma(model_in.accel.noise_density_g_per_rthz, sample_hz)),
         heat(model_in),
-        terms(ActiveTerms(model_in)),
         gyro_white(PerAxis<RandomStream>(seed, kGyroWhite)),
         accel_white(PerAxis<RandomStream>(seed, kAccelWhite)),
         gyro_flicker(PerAxis<FlickerNoise>(seed, kGyroFlicker, gyro.flicker_dps, sample_hz)),
-        sound(PerAxis<RandomStream>(seed, kSound)) {
-    std::size_t states = 0;
-    for (const ActiveTerm& term : terms) states += term.info->states;
-    term_states.resize(states);
-    PowerOn();
-  }
+        sound(PerAxis<RandomStream>(seed, kSound)) {}
 
-  std::span<double> StatesOf(const ActiveTerm& term) {
-    return std::span(term_states).subspan(term.first_state, term.info->states);
-  }
-  void PowerOn() {
-    for (const ActiveTerm& term : terms) term.info->term->PowerOn(StatesOf(term));
-  }
-  HeatFlows Heat(const Inputs& inputs) const {
-    HeatFlows flows{heat.PlateHeat(inputs.drive_pct), inputs.load_w};
-    for (const ActiveTerm& term : terms) {
-      flows.board_w += term.info->term->BoardHeat_w(inputs, term.parameters);
-    }
-    return flows;
-  }
   void AddTerms(const Inputs& inputs, Sensed& sensed) {
     TermContext context{inputs, heat.temperatures(), sample_period_s, {}};
     if (inputs.tone_band_hz > 0 && inputs.tone_pa > 0) {
@@ -65,9 +46,9 @@ struct RigModel::State {
         context.normals[axis] = {sound[axis].Normal(), sound[axis].Normal()};
       }
     }
-    for (const ActiveTerm& term : terms) {
-      term.info->term->Step(context, term.parameters, StatesOf(term));
-      term.info->term->Output(context, term.parameters, StatesOf(term), sensed);
+    for (const ActiveTerm& term : heat.terms()) {
+      term.info->term->Step(context, term.parameters, heat.StatesOf(term));
+      term.info->term->Output(context, term.parameters, heat.StatesOf(term), sensed);
     }
   }
 
@@ -76,9 +57,7 @@ struct RigModel::State {
   double sample_period_s;
   double gyro_sigma_dps;
   double accel_sigma_g;
-  ThermalNetwork heat;
-  std::vector<ActiveTerm> terms;
-  std::vector<double> term_states;
+  HeatModel heat;
   Inputs last_inputs;
   std::array<RandomStream, 3> gyro_white;
   std::array<RandomStream, 3> accel_white;
@@ -102,7 +81,7 @@ RigModel::~RigModel() = default;
 void RigModel::Reset() { state_->heat.Reset(); }
 
 void RigModel::AdvanceHeat(double dt_s, const Inputs& inputs) {
-  state_->heat.Advance(dt_s, state_->Heat(inputs));
+  state_->heat.Advance(dt_s, inputs);
   state_->last_inputs = inputs;
 }
 
@@ -121,14 +100,15 @@ Sensed RigModel::SampleSensors(const Inputs& inputs) {
     sensed.accel_g[axis] = inputs.gravity_g[axis] + inputs.shake_g[axis] +
                            s.accel_sigma_g * s.accel_white[axis].Normal();
   }
-  if (!s.terms.empty()) s.AddTerms(inputs, sensed);
+  if (!s.heat.terms().empty()) s.AddTerms(inputs, sensed);
   if (!s.model.gyro) sensed.rate_dps = {};
   return sensed;
 }
 
-void RigModel::PowerCycle() { state_->PowerOn(); }
+void RigModel::PowerCycle() { state_->heat.PowerOn(); }
 
 Temperatures RigModel::temperatures() const { return state_->heat.temperatures(); }
+Temperatures RigModel::shown_temperatures() const { return state_->heat.shown(); }
 
 Axes RigModel::TrueZro() const {
   State& s = *state_;
@@ -138,16 +118,14 @@ Axes RigModel::TrueZro() const {
   Inputs quiet = s.last_inputs;
   quiet.tone_pa = 0;
   quiet.turn_dps = quiet.shake_g = {};
-  for (const ActiveTerm& term : s.terms) {
-    term.info->term->Output({quiet, now, s.sample_period_s, {}}, term.parameters, s.StatesOf(term),
-                            sensed);
+  for (const ActiveTerm& term : s.heat.terms()) {
+    term.info->term->Output({quiet, now, s.sample_period_s, {}}, term.parameters,
+                            s.heat.StatesOf(term), sensed);
   }
   return sensed.rate_dps;
 }
 
 double RigModel::StoredHeat() const { return state_->heat.StoredHeat(); }
-double RigModel::NetHeatFlow(const Inputs& inputs) const {
-  return state_->heat.NetHeatFlow(state_->Heat(inputs));
-}
+double RigModel::NetHeatFlow() const { return state_->heat.NetHeatFlow(); }
 
 }  // namespace zrobench::physics

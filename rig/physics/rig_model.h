@@ -29,6 +29,13 @@ struct Temperatures {
   double plate_degc = 0, board_degc = 0, die_degc = 0;
 };
 
+/// What moves heat from outside, besides what the nodes exchange.
+struct HeatFlows {
+  double plate_w = 0;
+  double board_w = 0;
+  double die_k_per_s = 0;  ///< the package has no capacity of its own in the model
+};
+
 /// One instant of the sensors, before the board's quantisation and saturation.
 struct Sensed {
   Axes rate_dps{};
@@ -56,11 +63,14 @@ class RigModel {
   void PowerCycle();
 
   Temperatures temperatures() const;
+  /// What the plate's and the die's sensors make of them, before quantisation.
+  Temperatures shown_temperatures() const;
   /// True offset (cubic in T_d plus what terms add beside sound and motion), without noise.
   Axes TrueZro() const;
-  /// Heat stored above ambient [J] and heat flowing in minus out [W]: for the energy balance.
+  /// For the energy balance: heat stored above ambient [J], and what flowed in from outside during
+  /// the last step minus what is lost to ambient now [W].
   double StoredHeat() const;
-  double NetHeatFlow(const Inputs& inputs) const;
+  double NetHeatFlow() const;
 
  private:
   struct State;

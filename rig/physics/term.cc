@@ -47,7 +47,13 @@ void Term::PowerOn(std::span<double>) const {}
 void Term::Step(const TermContext&, std::span<const double>, std::span<double>) const {}
 void Term::Output(const TermContext&, std::span<const double>, std::span<const double>,
                   Sensed&) const {}
-double Term::BoardHeat_w(const Inputs&, std::span<const double>) const { return 0; }
+double Term::Drive(const HeatContext&, std::span<const double>, std::span<double>,
+                   double drive_pct) const {
+  return drive_pct;
+}
+void Term::Heat(const HeatContext&, std::span<const double>, std::span<double>, HeatFlows&) const {}
+void Term::Show(const HeatContext&, std::span<const double>, std::span<double>,
+                Temperatures&) const {}
 
 std::span<const TermInfo> Catalogue() {
   static const std::array infos = {AcousticAliasInfo(), AcousticRectificationInfo(),

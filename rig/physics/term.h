@@ -24,6 +24,14 @@ struct TermContext {
   std::array<std::array<double, 2>, 3> normals{};
 };
 
+/// What a term may look at when heat moves.
+struct HeatContext {
+  const Inputs& inputs;
+  const Model& model;
+  Temperatures temperatures;  ///< at the beginning of the step
+  double dt_s = 0;
+};
+
 /// One effect. Stateless; every hook does nothing unless overridden. `parameters` has the layout
 /// FlatParameters gives, `states` has TermInfo::states elements.
 /// A term whose coefficients are zero leaves every number of the base model as it was, bit by bit.
@@ -38,8 +46,15 @@ class Term {
   /// Adds to what the sensors show; `sensed` holds the base model and the terms before this one.
   virtual void Output(const TermContext& context, std::span<const double> parameters,
                       std::span<const double> states, Sensed& sensed) const;
-  /// Heat that the term puts into the board [W].
-  virtual double BoardHeat_w(const Inputs& inputs, std::span<const double> parameters) const;
+  /// Once a heat step, in this order. What reaches the plate's actuator of `drive_pct`.
+  virtual double Drive(const HeatContext& context, std::span<const double> parameters,
+                       std::span<double> states, double drive_pct) const;
+  /// Adds heat that the base model does not know; moves the term's own masses on by dt_s.
+  virtual void Heat(const HeatContext& context, std::span<const double> parameters,
+                    std::span<double> states, HeatFlows& flows) const;
+  /// Changes what the plate's and the die's sensors show; context is that of the step's end.
+  virtual void Show(const HeatContext& context, std::span<const double> parameters,
+                    std::span<double> states, Temperatures& shown) const;
 };
 
 struct ParameterInfo {

@@ -8,7 +8,7 @@
 namespace zrobench::physics {
 namespace {
 
-enum Node { kPlate, kBoard, kDie, kPlateHeat, kBoardHeat };
+enum Node { kPlate, kBoard, kDie, kPlateHeat, kBoardHeat, kDieRate };
 
 }  // namespace
 
@@ -35,25 +35,34 @@ ThermalNetwork::ThermalNetwork(const Model& model)
   if (has_package_) {
     g(kDie, has_board_ ? kBoard : kPlate) = 1 / model.package->time_constant_s;
     g(kDie, kDie) = -1 / model.package->time_constant_s;
+    g(kDie, kDieRate) = 1;
   }
 }
 
 void ThermalNetwork::Reset() { x_.setZero(); }
 
+void ThermalNetwork::Place(const Temperatures& temperatures) {
+  x_ << temperatures.plate_degc, temperatures.board_degc, temperatures.die_degc;
+  x_.array() -= ambient_degc_;
+  if (!has_board_) x_[kBoard] = 0;
+  if (!has_package_) x_[kDie] = 0;
+}
+
 void ThermalNetwork::Advance(double dt_s, const HeatFlows& heat) {
   ZROBENCH_CHECK(dt_s >= 0);
   const Transition& step = TransitionFor(dt_s);
-  x_ = (step.phi * x_ + step.gamma * Eigen::Vector2d(heat.plate_w, heat.board_w)).eval();
+  x_ = (step.phi * x_ + step.gamma * Eigen::Vector3d(heat.plate_w, heat.board_w, heat.die_k_per_s))
+           .eval();
 }
 
 const ThermalNetwork::Transition& ThermalNetwork::TransitionFor(double dt_s) {
   const auto known = std::find_if(cache_.begin(), cache_.end(),
                                   [&](const Transition& t) { return t.dt_s == dt_s; });
   if (known != cache_.end()) return *known;
-  const Eigen::Matrix<double, 5, 5> whole = (generator_ * dt_s).exp();
+  const Eigen::Matrix<double, 6, 6> whole = (generator_ * dt_s).exp();
   Transition& slot = cache_[next_slot_];
   next_slot_ = (next_slot_ + 1) % cache_.size();
-  slot = {dt_s, whole.topLeftCorner<3, 3>(), whole.topRightCorner<3, 2>()};
+  slot = {dt_s, whole.topLeftCorner<3, 3>(), whole.topRightCorner<3, 3>()};
   return slot;
 }
 

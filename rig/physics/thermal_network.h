@@ -9,12 +9,6 @@
 
 namespace zrobench::physics {
 
-/// Heat put into the nodes from outside, besides what they exchange [W].
-struct HeatFlows {
-  double plate_w = 0;
-  double board_w = 0;
-};
-
 /// Plate, board and package of the base equations (model.h) as one linear system
 /// x' = A x + B u in temperatures above ambient. For u constant over a step the solution is exact:
 /// exp([A B; 0 0] dt) holds both transition matrices (Van Loan 1978). A model without a board has
@@ -25,6 +19,8 @@ class ThermalNetwork {
   explicit ThermalNetwork(const Model& model);
 
   void Reset();
+  /// The nodes at these temperatures; those the model does not have are ignored.
+  void Place(const Temperatures& temperatures);
   /// Moves time on by `dt_s` >= 0 with `heat` held. Matrices are kept for the latest step lengths.
   void Advance(double dt_s, const HeatFlows& heat);
 
@@ -40,7 +36,7 @@ class ThermalNetwork {
   struct Transition {
     double dt_s = -1;  ///< no step has this length
     Eigen::Matrix3d phi;
-    Eigen::Matrix<double, 3, 2> gamma;
+    Eigen::Matrix3d gamma;
   };
   const Transition& TransitionFor(double dt_s);
 
@@ -49,7 +45,7 @@ class ThermalNetwork {
   BoardModel board_;
   bool has_board_;
   bool has_package_;
-  Eigen::Matrix<double, 5, 5> generator_;  ///< [A B; 0 0] in 1/s
+  Eigen::Matrix<double, 6, 6> generator_;  ///< [A B; 0 0] in 1/s
   Eigen::Vector3d x_;                      ///< plate, board, die above ambient [K]
   std::array<Transition, 8> cache_;
   std::size_t next_slot_ = 0;

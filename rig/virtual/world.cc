@@ -48,7 +48,7 @@ void World::RunHeat() {
 void World::RunSample(Instant t) {
   if (move_) UpdateMove(t);
   inputs_.age_days = AgeDays();
-  board_.Sample(model_.SampleSensors(inputs_), model_.temperatures().die_degc);
+  board_.Sample(model_.SampleSensors(inputs_), model_.shown_temperatures().die_degc);
 }
 
 double World::AgeDays() const {
@@ -70,7 +70,8 @@ void World::DeliverFrames() {
 }
 
 double World::PlateSensor_degc() const {
-  return physics::Quantise(model_.temperatures().plate_degc, station_.model.plate.resolution_degc);
+  return physics::Quantise(model_.shown_temperatures().plate_degc,
+                           station_.model.plate.resolution_degc);
 }
 
 void World::SetTone(double hz, double v) {

@@ -9,10 +9,11 @@ constexpr std::size_t kIdleW = 0, kFullLoadW = 1;
 
 class ThermalSelfHeating final : public Term {
  public:
-  double BoardHeat_w(const Inputs& inputs, std::span<const double> parameters) const override {
-    if (!inputs.powered) return 0;
-    const double share = std::clamp(inputs.load_pct, 0.0, 100.0) / 100;
-    return parameters[kIdleW] + share * parameters[kFullLoadW];
+  void Heat(const HeatContext& context, std::span<const double> parameters, std::span<double>,
+            HeatFlows& flows) const override {
+    if (!context.inputs.powered) return;
+    const double share = std::clamp(context.inputs.load_pct, 0.0, 100.0) / 100;
+    flows.board_w += parameters[kIdleW] + share * parameters[kFullLoadW];
   }
 };
 

@@ -194,7 +194,7 @@ TEST(RigModel, EnergyBalances) {
   double flowed_j = 0;
   for (int i = 0; i < 20000; ++i) {  // midpoint rule at 10 ms: error (dt/tau)^2 / 24, 1e-7
     rig.AdvanceHeat(0.005, inputs);
-    flowed_j += 0.01 * rig.NetHeatFlow(inputs);
+    flowed_j += 0.01 * rig.NetHeatFlow();
     rig.AdvanceHeat(0.005, inputs);
   }
   EXPECT_LT(flowed_j, -3000);

@@ -145,6 +145,20 @@ TEST(ThermalNetwork, DieFollowsTheBoardWithItsTimeConstant) {
   EXPECT_NEAR(t.board_degc - t.die_degc, 0.1 * model.package->time_constant_s, 1e-9);
 }
 
+TEST(ThermalNetwork, PlacedNodesGoOnFromThere) {
+  Model model;
+  ThermalNetwork network(model);
+  network.Place({50, 40, 30});
+  EXPECT_EQ(network.temperatures().plate_degc, 50);
+  EXPECT_EQ(network.temperatures().die_degc, 30);
+  network.Advance(1e-3, {});
+  const double expected_degc = 30 + 1e-3 * (40 - 30) / model.package->time_constant_s;
+  EXPECT_NEAR(network.temperatures().die_degc, expected_degc, 1e-6);
+  network.Place({50, 40, 30});
+  network.Advance(1e-3, {0, 0, 2});
+  EXPECT_NEAR(network.temperatures().die_degc, expected_degc + 2e-3, 1e-6);
+}
+
 TEST(ThermalNetwork, ResponsesToHeatAdd) {
   const Model model;
   ThermalNetwork plate(model), board(model), both(model);

@@ -1,0 +1,50 @@
+#include "rig/physics/heat_model.h"
+
+namespace zrobench::physics {
+
+HeatModel::HeatModel(const Model& model)
+    : model_(model), network_(model), terms_(ActiveTerms(model)), shown_(network_.temperatures()) {
+  std::size_t states = 0;
+  for (const ActiveTerm& term : terms_) states += term.info->states;
+  states_.resize(states);
+  PowerOn();
+}
+
+void HeatModel::Reset() {
+  network_.Reset();
+  shown_ = network_.temperatures();
+}
+
+void HeatModel::PowerOn() {
+  for (const ActiveTerm& term : terms_) term.info->term->PowerOn(StatesOf(term));
+}
+
+void HeatModel::Place(const Temperatures& temperatures) {
+  network_.Place(temperatures);
+  shown_ = network_.temperatures();
+}
+
+void HeatModel::Advance(double dt_s, const Inputs& inputs) {
+  flows_ = Flows(inputs, dt_s);
+  network_.Advance(dt_s, flows_);
+  shown_ = network_.temperatures();
+  const HeatContext after = Context(inputs, dt_s);
+  for (const ActiveTerm& term : terms_) {
+    term.info->term->Show(after, term.parameters, StatesOf(term), shown_);
+  }
+}
+
+HeatFlows HeatModel::Flows(const Inputs& inputs, double dt_s) {
+  const HeatContext context = Context(inputs, dt_s);
+  double drive_pct = inputs.drive_pct;
+  for (const ActiveTerm& term : terms_) {
+    drive_pct = term.info->term->Drive(context, term.parameters, StatesOf(term), drive_pct);
+  }
+  HeatFlows flows{network_.PlateHeat(drive_pct), inputs.load_w, 0};
+  for (const ActiveTerm& term : terms_) {
+    term.info->term->Heat(context, term.parameters, StatesOf(term), flows);
+  }
+  return flows;
+}
+
+}  // namespace zrobench::physics
