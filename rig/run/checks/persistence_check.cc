@@ -37,13 +37,18 @@ std::vector<double> WrittenBetween(const Evidence& evidence, std::uint64_t from_
   return written_degc;
 }
 
-/// Whether two entries are the same, but for merges that were not committed yet.
-bool SameButForMerges(const zro::Entry& a, const zro::Entry& b) {
-  constexpr double kMerged_degc = kBin_degc / 2;  ///< an entry stays in its own bin
+/// Whether `after` still holds the entry, but for merges that were not committed yet: these may
+/// have moved it anywhere in its bin, and its offsets along with the temperature.
+bool HoldsButForMerges(const zro::Table& after, const zro::Entry& entry) {
   constexpr float kMerged_dps = 0.02f;
-  bool same = a.origin == b.origin && std::abs(a.temp_degc - b.temp_degc) < kMerged_degc;
+  const int at = after.InBin(entry.temp_degc, entry.origin);
+  if (at < 0) return false;
+  const bool moved = after[at].temp_degc != entry.temp_degc;
+  const zro::Estimate curve = after.At(entry.temp_degc);
+  bool same = true;
   for (int axis = 0; axis < zro::kAxes; ++axis) {
-    same = same && std::abs(a.zro_dps[axis] - b.zro_dps[axis]) <= kMerged_dps;
+    const float now_dps = moved ? curve.zro_dps[axis] : after[at].zro_dps[axis];
+    same = same && std::abs(entry.zro_dps[axis] - now_dps) <= kMerged_dps;
   }
   return same;
 }
@@ -57,7 +62,7 @@ int EntriesLost(const zro::Table& before, const zro::Table& after,
     bool kept = std::any_of(fresh_degc.begin(), fresh_degc.end(), [&](double degc) {
       return std::abs(before[i].temp_degc - degc) < kBin_degc;
     });
-    for (int j = 0; j < after.size(); ++j) kept = kept || SameButForMerges(before[i], after[j]);
+    kept = kept || HoldsButForMerges(after, before[i]);
     lost += kept ? 0 : 1;
   }
   return lost;
@@ -97,9 +102,7 @@ Measurement Persistence(const Evidence& evidence, const TableItem& before, const
 }  // namespace
 
 CheckResult CheckTablePersists(const Expectation& expect, const CheckContext& context) {
-  CheckResult result;
-  result.check = expect.check;
-  result.about = "the committed table survives every power cut";
+  CheckResult result = StartCheck(expect, "the committed table survives every power cut");
   const TableItem* before = nullptr;
   for (const TableItem& table : context.evidence.tables) {
     if (table.when == 1) before = &table;

@@ -37,8 +37,15 @@ class ChecksTest : public testing::Test {
   }
   static TableItem TableOf(std::uint64_t at_us, std::uint8_t when, float zro_dps,
                            zro::Origin origin = zro::Origin::kLearned) {
+    return TableOf(at_us, when, {{25, zro_dps}}, origin);
+  }
+  static TableItem TableOf(std::uint64_t at_us, std::uint8_t when,
+                           const std::vector<std::pair<float, float>>& degc_and_zro_dps,
+                           zro::Origin origin = zro::Origin::kLearned) {
     zro::Table table;
-    table.Insert({25, {zro_dps, zro_dps, zro_dps}, 0.001f, 1, 1, origin});
+    for (const auto& [degc, dps] : degc_and_zro_dps) {
+      table.Insert({degc, {dps, dps, dps}, 0.001f, 1, 1, origin});
+    }
     TableItem item{at_us, when, 0, {}};
     item.image.resize(zro::Table::kMaxImageBytes);
     item.image.resize(table.ToImage(1, item.image.data()));
@@ -144,6 +151,17 @@ TEST_F(ChecksTest, TablePersistsComparesEveryByteOnlyWhereNothingWasPending) {
   EXPECT_EQ(Run("table_persists").verdict, Verdict::kFail);
   evidence_.tables[1].image[0] ^= 0xFF;
   EXPECT_EQ(Run("table_persists").verdict, Verdict::kInconclusive);
+}
+
+TEST_F(ChecksTest, TablePersistsLetsMergesMoveAnEntryAlongItsBin) {
+  evidence_.cuts = {{15 * kS, false}};
+  evidence_.tables = {TableOf(10 * kS, 1, {{20, 0.50f}, {24.8f, 0.644f}}),
+                      TableOf(20 * kS, 2, {{20, 0.50f}, {22.6f, 0.578f}})};  // 0.03 dps/degC
+  EXPECT_EQ(Run("table_persists").verdict, Verdict::kPass);
+  evidence_.tables[1] = TableOf(20 * kS, 2, {{20, 0.50f}, {22.6f, 0.620f}});  // another offset
+  EXPECT_EQ(Run("table_persists").verdict, Verdict::kFail);
+  evidence_.tables[1] = TableOf(20 * kS, 2, {{20, 0.50f}, {21.8f, 0.554f}});  // another bin
+  EXPECT_EQ(Run("table_persists").verdict, Verdict::kFail);
 }
 
 TEST_F(ChecksTest, ResidualRateJudgesTheWorstTenQuietSeconds) {
