@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 
 #include "rig/record/utc_text.h"
+#include "rig/report/figure.h"
 
 namespace zrobench {
 namespace {
@@ -36,36 +35,11 @@ std::string Wrapped(const std::string& text, std::size_t indent) {
   return out + '\n';
 }
 
-std::string Limits(const Measurement& m) {
-  if (std::isfinite(m.low) && std::isfinite(m.high)) {
-    return fmt::format("{:g} .. {:g}", m.low, m.high);
-  }
-  if (std::isfinite(m.high)) return fmt::format("<= {:g}", m.high);
-  return std::isfinite(m.low) ? fmt::format(">= {:g}", m.low) : "none";
-}
-
-std::string Uncertainty(const Measurement& m) {
-  return m.uncertainty_k2 > 0 ? fmt::format(" +- {:.2g}", m.uncertainty_k2) : "";
-}
-
-std::string Unit(const Measurement& m) { return m.unit == "1" ? "" : " " + m.unit; }
-
-/// How near to (negative) or beyond its nearer limit, as a share of the limit's size.
-double Closeness(const Measurement& m) {
-  const double span = std::isfinite(m.low) && std::isfinite(m.high) ? (m.high - m.low) / 2
-                      : std::isfinite(m.high)                       ? std::abs(m.high)
-                                                                    : std::abs(m.low);
-  return std::max(m.value - m.high, m.low - m.value) / std::max(span, 1e-9);
-}
-
 /// The figure nearest to its limit: what the check hung on.
 std::string Figure(const CheckResult& check) {
-  const auto worst = std::max_element(
-      check.measurements.begin(), check.measurements.end(),
-      [](const Measurement& a, const Measurement& b) { return Closeness(a) < Closeness(b); });
-  if (worst == check.measurements.end()) return "-";
-  return fmt::format("{:.4g}{}{} (limit {})", worst->value, Uncertainty(*worst), Unit(*worst),
-                     Limits(*worst));
+  const Measurement* deciding = DecidingMeasurement(check);
+  if (deciding == nullptr) return "-";
+  return fmt::format("{} (limit {})", ValueText(*deciding), LimitsText(*deciding));
 }
 
 std::string CheckLines(const CheckResult& check) {
@@ -92,9 +66,8 @@ std::string AlarmLines(const std::vector<std::string>& alarms) {
 }
 
 std::string MeasurementLine(const Measurement& m) {
-  const std::string figure = fmt::format("{:.4g}{}{}", m.value, Uncertainty(m), Unit(m));
-  return fmt::format("  {:<34} {:<22} limit {:<13} {:>6.0f} .. {:.0f} s\n", m.name, figure,
-                     Limits(m), static_cast<double>(m.first_us) * 1e-6,
+  return fmt::format("  {:<34} {:<22} limit {:<13} {:>6.0f} .. {:.0f} s\n", m.name, ValueText(m),
+                     LimitsText(m), static_cast<double>(m.first_us) * 1e-6,
                      static_cast<double>(m.last_us) * 1e-6);
 }
 

@@ -7,6 +7,13 @@
 
 namespace zrobench {
 
+CheckResult StartCheck(const Expectation& expect, std::string about) {
+  CheckResult result;
+  result.check = expect.check;
+  result.about = std::move(about);
+  return result;
+}
+
 CheckResult RunCheck(const Expectation& expect, const CheckContext& context) {
   using Check = CheckResult (*)(const Expectation&, const CheckContext&);
   static constexpr std::array<std::pair<std::string_view, Check>, 14> kChecks = {{

@@ -2,6 +2,7 @@
 // One function a check: what a profile may expect of a corrector. Each measures from the evidence
 // alone and is judged with its uncertainty. Names and arguments: rig/profile/expectations.cc.
 #include <optional>
+#include <string>
 
 #include "corrector/table.h"
 #include "rig/profile/profile.h"
@@ -48,6 +49,9 @@ CheckResult CheckEntryAge(const Expectation& expect, const CheckContext& context
 CheckResult CheckUpDown(const Expectation& expect, const CheckContext& context);
 /// More than beyond_degc outside the table's outermost entries the correction stays as it is there.
 CheckResult CheckExtrapolationHeld(const Expectation& expect, const CheckContext& context);
+
+/// A result that has yet to measure: `about` says in a line what is looked at.
+CheckResult StartCheck(const Expectation& expect, std::string about);
 
 /// The table as the record last showed it; nothing when the record holds none that can be read.
 std::optional<zro::Table> FinalTable(const Evidence& evidence);

@@ -60,12 +60,11 @@ std::string LostDecisions(const Evidence& evidence) {
 CheckResult CheckRejects(const Expectation& expect, const CheckContext& context) {
   const std::vector<int> codes = Codes(expect);
   const std::string during = Text(expect, "during");
-  CheckResult result;
-  result.check = expect.check;
-  result.about =
+  CheckResult result = StartCheck(
+      expect,
       fmt::format("refused with {} during {}",
                   codes.empty() ? "any code" : fmt::format("code {}", fmt::join(codes, " or ")),
-                  during.empty() ? "the run" : during);
+                  during.empty() ? "the run" : during));
   const auto wanted = [&](const TimedDecision& d) {
     if (codes.empty()) return zro::IsRejection(d.record.code);
     return std::find(codes.begin(), codes.end(), static_cast<int>(d.record.code)) != codes.end();
@@ -118,12 +117,10 @@ Measurement WritesDuringStimuli(const Evidence& evidence) {
 
 CheckResult CheckNoCorruptEntry(const Expectation& expect, const CheckContext& context) {
   const double within = expect.number("within_mdps", 50);
-  CheckResult result;
-  result.check = expect.check;
-  result.about = fmt::format(
-      "no reading taken during a stimulus was stored, none off by more than "
-      "{:g} mdps",
-      within);
+  CheckResult result = StartCheck(
+      expect, fmt::format("no reading taken during a stimulus was stored, none off by more than "
+                          "{:g} mdps",
+                          within));
   result.measurements.push_back(WritesDuringStimuli(context.evidence));
   for (const TimedDecision& decision : context.evidence.decisions) {
     if (!WroteEntry(decision.record.code)) continue;
@@ -157,9 +154,8 @@ CheckResult CheckNoCorruptEntry(const Expectation& expect, const CheckContext& c
 CheckResult CheckNoUnexpectedRejection(const Expectation& expect, const CheckContext& context) {
   const double at_most = expect.number("at_most", 0);
   const Evidence& evidence = context.evidence;
-  CheckResult result;
-  result.check = expect.check;
-  result.about = fmt::format("at most {:g} refusals where no stimulus acted", at_most);
+  CheckResult result =
+      StartCheck(expect, fmt::format("at most {:g} refusals where no stimulus acted", at_most));
   Measurement m{.name = "no_unexpected_rejection",
                 .unit = "1",
                 .high = at_most,
@@ -185,9 +181,8 @@ CheckResult CheckNoUnexpectedRejection(const Expectation& expect, const CheckCon
 CheckResult CheckDecides(const Expectation& expect, const CheckContext& context) {
   const std::vector<int> codes = Codes(expect);
   const Evidence& evidence = context.evidence;
-  CheckResult result;
-  result.check = expect.check;
-  result.about = fmt::format("decisions with code {}", fmt::join(codes, " or "));
+  CheckResult result =
+      StartCheck(expect, fmt::format("decisions with code {}", fmt::join(codes, " or ")));
   Measurement m{.name = "decides",
                 .unit = "1",
                 .low = expect.number("at_least", 0),
@@ -210,9 +205,8 @@ CheckResult CheckDecides(const Expectation& expect, const CheckContext& context)
 
 CheckResult CheckTableComplete(const Expectation& expect, const CheckContext& context) {
   const Evidence& evidence = context.evidence;
-  CheckResult result;
-  result.check = expect.check;
-  result.about = "the board calls its table complete (code 40), and not later otherwise (41)";
+  CheckResult result = StartCheck(
+      expect, "the board calls its table complete (code 40), and not later otherwise (41)");
   Measurement m{.name = "table_complete",
                 .unit = "1",
                 .low = 1,

@@ -38,12 +38,10 @@ std::vector<Second> OneWay(const std::vector<Second>& seconds, bool up) {
 
 CheckResult CheckUpDown(const Expectation& expect, const CheckContext& context) {
   const double within = expect.number("within_mdps", 0);
-  CheckResult result;
-  result.check = expect.check;
-  result.about = fmt::format(
-      "the raw gyro's offset at a learned temperature, warming against "
-      "cooling, within {:g} mdps",
-      within);
+  CheckResult result = StartCheck(
+      expect, fmt::format("the raw gyro's offset at a learned temperature, warming against "
+                          "cooling, within {:g} mdps",
+                          within));
   const auto table = FinalTable(context.evidence);
   const auto warming = OneWay(context.evidence.seconds, true);
   const auto cooling = OneWay(context.evidence.seconds, false);

@@ -99,9 +99,8 @@ std::string FirstDifference(const Comparison& comparison) {
 }  // namespace
 
 CheckResult CheckLockstep(const Expectation& expect, const CheckContext& context) {
-  CheckResult result;
-  result.check = expect.check;
-  result.about = "host re-run of the corrector gives the board's tables, events and rates exactly";
+  CheckResult result = StartCheck(
+      expect, "host re-run of the corrector gives the board's tables, events and rates exactly");
   const Station& station = context.station;
   const double sample_hz = station.virtual_rig.sample_hz;
   const physics::GyroModel gyro = station.model.gyro.value_or(physics::GyroModel{});

@@ -70,12 +70,10 @@ CheckResult CheckResidualRate(const Expectation& expect, const CheckContext& con
   const int piece_s = static_cast<int>(expect.number("piece_s", kPiece_s));
   const double from = expect.number("from_degc", -HUGE_VAL);
   const double to = expect.number("to_degc", HUGE_VAL);
-  CheckResult result;
-  result.check = expect.check;
-  result.about = fmt::format(
-      "corrected rate, {} s means, within {:g} mdps of zero while still and "
-      "silent",
-      piece_s, within);
+  CheckResult result = StartCheck(
+      expect, fmt::format("corrected rate, {} s means, within {:g} mdps of zero while still and "
+                          "silent",
+                          piece_s, within));
   if (std::isfinite(from)) result.about += fmt::format(", {:g} to {:g} degC", from, to);
   std::array<Measurement, 3> worst;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -143,12 +141,10 @@ class CorrectionSpread {
 
 CheckResult CheckExtrapolationHeld(const Expectation& expect, const CheckContext& context) {
   const double beyond = expect.number("beyond_degc", 10), within = expect.number("within_mdps", 0);
-  CheckResult result;
-  result.check = expect.check;
-  result.about = fmt::format(
-      "the correction moves by at most {:g} mdps where the board is more "
-      "than {:g} degC outside its table",
-      within, beyond);
+  CheckResult result = StartCheck(
+      expect, fmt::format("the correction moves by at most {:g} mdps where the board is more "
+                          "than {:g} degC outside its table",
+                          within, beyond));
   const auto table = FinalTable(context.evidence);
   if (!table || table->size() == 0) {
     result.reason = "the record holds no table with entries";

@@ -25,13 +25,6 @@ bool HoldsLearned(const zro::Table& table, double degc, double within_degc) {
   return false;
 }
 
-CheckResult Start(const Expectation& expect, std::string about) {
-  CheckResult result;
-  result.check = expect.check;
-  result.about = std::move(about);
-  return result;
-}
-
 }  // namespace
 
 std::optional<zro::Table> FinalTable(const Evidence& evidence) {
@@ -46,8 +39,8 @@ std::optional<zro::Table> FinalTable(const Evidence& evidence) {
 CheckResult CheckTableCoverage(const Expectation& expect, const CheckContext& context) {
   const double from = expect.number("from_degc", 0), to = expect.number("to_degc", 0);
   const double step = expect.number("step_degc", 2.5), min_pct = expect.number("min_pct", 100);
-  CheckResult result =
-      Start(expect, fmt::format("entries every {:g} degC from {:g} to {:g} degC", step, from, to));
+  CheckResult result = StartCheck(
+      expect, fmt::format("entries every {:g} degC from {:g} to {:g} degC", step, from, to));
   const auto table = FinalTable(context.evidence);
   if (!table) {
     result.reason = "the record holds no readable table";
@@ -71,7 +64,7 @@ CheckResult CheckTableCoverage(const Expectation& expect, const CheckContext& co
 CheckResult CheckTableAccuracy(const Expectation& expect, const CheckContext& context) {
   const double from = expect.number("from_degc", -100), to = expect.number("to_degc", 200);
   const double within = expect.number("within_mdps", 0);
-  CheckResult result = Start(
+  CheckResult result = StartCheck(
       expect, fmt::format("learned entries from {:g} to {:g} degC within {:g} mdps of the rig's "
                           "long average",
                           from, to, within));
@@ -106,10 +99,10 @@ CheckResult CheckTableAccuracy(const Expectation& expect, const CheckContext& co
 CheckResult CheckGranularity(const Expectation& expect, const CheckContext& context) {
   const double from = expect.number("from_degc", 0), to = expect.number("to_degc", 0);
   const double within = expect.number("within_degc", 0);
-  CheckResult result =
-      Start(expect, fmt::format("neighbouring learned entries from {:g} to {:g} degC within {:g} "
-                                "degC of each other",
-                                from, to, within));
+  CheckResult result = StartCheck(
+      expect, fmt::format("neighbouring learned entries from {:g} to {:g} degC within {:g} "
+                          "degC of each other",
+                          from, to, within));
   const auto table = FinalTable(context.evidence);
   if (!table) {
     result.reason = "the record holds no readable table";
@@ -139,8 +132,8 @@ CheckResult CheckEntryAge(const Expectation& expect, const CheckContext& context
   const double from = expect.number("from_degc", -HUGE_VAL);
   const double to = expect.number("to_degc", HUGE_VAL);
   const Evidence& evidence = context.evidence;
-  CheckResult result =
-      Start(expect, fmt::format("learned entries are dated, and at most {:g} days old", at_most));
+  CheckResult result = StartCheck(
+      expect, fmt::format("learned entries are dated, and at most {:g} days old", at_most));
   const auto table = FinalTable(evidence);
   if (!table || evidence.today_days == 0) {
     result.reason =
