@@ -212,14 +212,6 @@ bool Decode(const Frame& f, HeartbeatMsg* out) {
   return true;
 }
 
-std::int16_t ToWire16(float value, float lsb) {
-  const float x = value / lsb;
-  if (!(x == x)) return 0;
-  if (x >= 32767.0f) return 32767;
-  if (x <= -32768.0f) return -32768;
-  return static_cast<std::int16_t>(x < 0 ? x - 0.5f : x + 0.5f);
-}
-
 std::uint16_t ToWireU16(float value, float lsb) {
   const float x = value / lsb;
   if (!(x > 0.0f)) return 0;

@@ -147,7 +147,14 @@ bool Decode(const Frame& f, IdentMsg* out);
 bool Decode(const Frame& f, HeartbeatMsg* out);
 
 /// Nearest integer (halves away from zero) of value / lsb, saturating; NaN gives 0.
-std::int16_t ToWire16(float value, float lsb);
+inline std::int16_t ToWire16(float value, float lsb) {
+  const float x = value / lsb;
+  if (!(x == x)) return 0;
+  if (x >= 32767.0f) return 32767;
+  if (x <= -32768.0f) return -32768;
+  const float half = x < 0 ? -0.5f : 0.5f;  // chosen, not branched on: the sign of noise
+  return static_cast<std::int16_t>(x + half);
+}
 std::uint16_t ToWireU16(float value, float lsb);
 
 }  // namespace zro::node

@@ -111,7 +111,7 @@ Sample Node::NextSample(const RawSample& raw, bool time_due) {
   if (time_due) temperature_ = raw.temperature;
   RawSample seen = raw;
   seen.temperature = temperature_;
-  const std::uint32_t elapsed = ToSample(raw, last_counter_, first_sample_).elapsed;
+  const std::uint32_t elapsed = Elapsed(raw.counter, last_counter_, first_sample_);
   test_modes_.OnSample(elapsed);
   corrector_.SetTestMode(test_modes_.active());
   for (int i = 0; i < kAxes; ++i) {

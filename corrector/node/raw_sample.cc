@@ -16,9 +16,7 @@ Sample ToSample(const RawSample& raw, std::uint16_t previous_counter, bool first
     s.gyro_clipped = s.gyro_clipped || raw.gyro[i] == 32767 || raw.gyro[i] == -32768;
   }
   s.temp_degc = static_cast<float>(raw.temperature) * kDegcPerTempLsb;
-  const auto periods = static_cast<std::uint16_t>(raw.counter - previous_counter);
-  // A counter that stands still has gone round once: never "no time at all".
-  s.elapsed = first ? 1 : periods == 0 ? 65536u : periods;
+  s.elapsed = Elapsed(raw.counter, previous_counter, first);
   s.accel_clipped = raw.accel_clipped;
   s.overrun = raw.overrun;
   return s;

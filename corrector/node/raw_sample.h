@@ -17,6 +17,13 @@ struct RawSample {
   bool accel_clipped;
 };
 
+/// Sample periods since the previous sample; 1 for the first after a boot. A counter that stands
+/// still has gone round once: never "no time at all".
+inline std::uint32_t Elapsed(std::uint16_t counter, std::uint16_t previous_counter, bool first) {
+  const auto periods = static_cast<std::uint16_t>(counter - previous_counter);
+  return first ? 1 : periods == 0 ? 65536u : periods;
+}
+
 /// Scales to units. `previous_counter` gives Sample::elapsed; pass `first` for the first sample
 /// after a boot (elapsed = 1). A gyro word at either end of its range counts as clipped.
 Sample ToSample(const RawSample& raw, std::uint16_t previous_counter, bool first);

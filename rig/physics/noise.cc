@@ -41,7 +41,7 @@ void FlickerNoise::StepHeld() {
   std::uint64_t period = kRatio;
   held_sum_ = 0;
   for (Process& process : held_) {
-    if (count_ % period == 0) process.Step(random_);
+    if ((count_ & (period - 1)) == 0) process.Step(random_);
     held_sum_ += process.value;
     period *= kRatio;
   }

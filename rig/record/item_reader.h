@@ -26,7 +26,14 @@ class ItemReader {
   /// callable that takes const Item& will do). May be called again on a growing file.
   template <typename Visit>
   void Drain(Visit&& visit) {
-    while (auto message = reader_.Next()) {
+    DrainUntil(visit, [] { return false; });
+  }
+  /// The same, but no further than the item after which `done()` holds.
+  template <typename Visit, typename Done>
+  void DrainUntil(Visit&& visit, Done&& done) {
+    while (!done()) {
+      const auto message = reader_.Next();
+      if (!message) return;
       if (message->type == 'D') {
         VisitData(message->body, visit);
       } else if (message->type == 'L') {

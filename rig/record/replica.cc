@@ -191,12 +191,12 @@ std::vector<std::uint8_t> Replica::TableImage() const {
 
 Result<std::vector<std::uint8_t>> StartImage(const std::filesystem::path& record) {
   std::optional<std::vector<std::uint8_t>> image;
-  const auto end = ReadItems(record, [&]<typename T>(const T& item) {
-    if constexpr (std::is_same_v<T, TableItem>) {
-      if (!image) image = item.image;
-    }
-  });
-  if (!end) return tl::unexpected(end.error());
+  auto reader = ItemReader::Open(record);
+  if (!reader) return tl::unexpected(reader.error());
+  const auto take = [&]<typename T>(const T& item) {
+    if constexpr (std::is_same_v<T, TableItem>) image = item.image;
+  };
+  reader->DrainUntil(take, [&] { return image.has_value(); });
   if (!image) {
     return Fail(Error::Kind::kConfig, record.string() + ": holds no table of the board");
   }

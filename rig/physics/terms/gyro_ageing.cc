@@ -14,7 +14,10 @@ class GyroAgeing final : public Term {
               std::span<const double>, Sensed& sensed) const override {
     const double age_days = context.inputs.age_days;
     if (age_days == 0) return;
-    const double decades = std::log10(1 + age_days / parameters[kOnsetDays]);
+    // Most parts are modelled without it, and a logarithm a sample is dear.
+    const bool settles = parameters[kDpsPerDecade] != 0 || parameters[kDpsPerDecade + 1] != 0 ||
+                         parameters[kDpsPerDecade + 2] != 0;
+    const double decades = settles ? std::log10(1 + age_days / parameters[kOnsetDays]) : 0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       sensed.rate_dps[axis] += parameters[kDpsPerDecade + axis] * decades +
                                parameters[kDpsPerYear + axis] * age_days / kDaysPerYear;
