@@ -1,6 +1,7 @@
 // Records made by hand: what the checks get to see of them.
 #include "rig/run/evidence.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "corrector/node/codec.h"
@@ -142,7 +143,7 @@ TEST_F(EvidenceTest, EveryPowerCutHasItsOwnStateOfTheStore) {
 
 TEST_F(EvidenceTest, AlarmsAreKeptAndLostInputsCounted) {
   Event(1, Kind::kAlarm, "the door is open");
-  Event(2, Kind::kAlarm, std::string(kInputsLost) + "3 samples");
+  Event(2, Kind::kAlarm, fmt::format("{}3 samples", kInputsLost));
   const Evidence evidence = Gather();
   EXPECT_EQ(evidence.alarms.size(), 2u);
   EXPECT_EQ(evidence.inputs_lost, 1u);
