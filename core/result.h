@@ -17,6 +17,7 @@ struct Error {
     kClosed,    ///< port, file or bus is gone
     kConfig,    ///< profile, station, map or data file is wrong; message carries file:line:column
     kFile,      ///< a file could not be read or written
+    kTime,      ///< a clock went backwards: nothing measured around it can be dated
     kInternal,  ///< a bug here
   };
   Kind kind = Kind::kInternal;

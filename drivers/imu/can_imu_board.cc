@@ -33,6 +33,7 @@ CanImuBoard::CanImuBoard(CanBus& bus, Clock& clock, FrameListener* listener)
 
 Status CanImuBoard::Pump() {
   while (const std::optional<CanFrame> frame = bus_.Receive()) {
+    if (Status forwards = WatchTime(frame->at); !forwards) return forwards;
     if (listener_ != nullptr) listener_->OnFrame(*frame);
     if (frame->own) continue;
     if ((frame->frame.id & kNodeIdMask) == zro::node::Node::kNodeId) {
@@ -44,6 +45,17 @@ Status CanImuBoard::Pump() {
   if (bus_.health().bus_off) {
     return Fail(Error::Kind::kClosed, "CAN: bus off (wiring, termination, bit rate?)");
   }
+  return {};
+}
+
+Status CanImuBoard::WatchTime(Instant at) {
+  if (at < last_frame_) {
+    return Fail(Error::Kind::kTime,
+                fmt::format("CAN: time goes backwards: a frame of {:.6f} s after one of {:.6f} s "
+                            "(the adapter's clock?)",
+                            SecondsOf(at), SecondsOf(last_frame_)));
+  }
+  last_frame_ = at;
   return {};
 }
 

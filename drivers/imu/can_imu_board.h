@@ -40,6 +40,7 @@ class CanImuBoard final : public ImuBoard {
     bool operator==(const TableHeader&) const = default;
   };
 
+  Status WatchTime(Instant at);
   void Take(const zro::node::Frame& frame);
   void CountSample(std::uint8_t seq);
   Status WriteU32(std::uint16_t index, std::uint8_t sub, std::uint32_t value, Instant deadline);
@@ -56,6 +57,7 @@ class CanImuBoard final : public ImuBoard {
   BoardStatus status_;
   bool heard_ = false;
   Instant last_heard_{};
+  Instant last_frame_{};
   bool have_seq_ = false;
   std::uint8_t last_seq_ = 0;
 };

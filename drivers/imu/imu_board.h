@@ -57,7 +57,8 @@ class ImuBoard {
  public:
   virtual ~ImuBoard() = default;
 
-  /// Takes every frame waiting on the bus and shows it to the listener. Never blocks.
+  /// Takes every frame waiting on the bus and shows it to the listener. Never blocks. kTime when a
+  /// frame is older than the one before it; kClosed when the bus is gone.
   virtual Status Pump() = 0;
   virtual BoardStatus status() const = 0;
   virtual CanHealth link() const = 0;

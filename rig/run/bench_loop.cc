@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "rig/profile/dew_point.h"
+#include "rig/run/evidence.h"
 
 namespace zrobench {
 namespace {
@@ -37,7 +38,8 @@ BenchLoop::BenchLoop(Bench& bench, const Station& station, RunLog& log, const St
       next_second_(bench.clock.now()),
       next_decisions_(bench.clock.now() + kDecisionPeriod),
       last_alive_(bench.clock.now()),
-      next_snapshot_(bench.clock.now() + kSnapshotPeriod) {}
+      next_snapshot_(bench.clock.now() + kSnapshotPeriod),
+      last_utc_(bench.clock.utc()) {}
 
 Flow BenchLoop::RunUntil(Instant until) {
   while (now() < until) {
@@ -79,6 +81,7 @@ Flow BenchLoop::Watch() {
     return Stop(Halt::Why::kRigFault, record.error().message);
   }
   WatchBoots();
+  WatchWallTime();
   if (!std::isfinite(plate_.process_degc) ||
       plate_.process_degc > station_.limits.max_degc + kTripMargin_degc ||
       plate_.process_degc < station_.limits.min_degc - kTripMargin_degc) {
@@ -100,6 +103,15 @@ void BenchLoop::WatchBoots() {
     log_.Alarm("the board rebooted on its own: check its supply");
   }
   boots_ = boots;
+}
+
+void BenchLoop::WatchWallTime() {
+  const UtcNs utc = bench_.clock.utc();
+  if (utc < last_utc_) {
+    log_.Alarm(fmt::format("{}by {:.3f} s (was the host's clock set?)", kDateBackwards,
+                           static_cast<double>(last_utc_ - utc) * 1e-9));
+  }
+  last_utc_ = utc;
 }
 
 double BenchLoop::ReadAir() {

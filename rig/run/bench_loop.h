@@ -59,6 +59,7 @@ class BenchLoop {
   Flow FollowRamp();
   Flow Watch();
   void WatchBoots();
+  void WatchWallTime();
   Flow RefuseCondensation(double degc) const;
   double ReadAir();
   Flow CheckStop() const;
@@ -76,6 +77,7 @@ class BenchLoop {
   Instant next_decisions_{};
   Instant last_alive_{};
   Instant next_snapshot_{};
+  UtcNs last_utc_;
   bool silence_expected_ = false;
   bool boot_expected_ = false;
   std::uint32_t boots_ = 0;

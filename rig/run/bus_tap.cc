@@ -89,6 +89,7 @@ void BusTap::WriteHeld() {
 void BusTap::TakeOther(const CanFrame& frame, std::uint64_t at_us) {
   if (TimeMsg time; Decode(frame.frame, &time)) {
     imu_degc_ = time.temperature / 256.0;
+    WatchBoardClock(time.sample_time_us);
     log_.Write(ImuTime{at_us, time.sample_time_us, time.sample_seq, time.temperature});
     return;
   }
@@ -101,6 +102,7 @@ void BusTap::TakeOther(const CanFrame& frame, std::uint64_t at_us) {
   if (HeartbeatMsg beat; Decode(frame.frame, &beat) && beat.id == HeartbeatMsg::kNodeId &&
                          beat.state == kStateBootUp) {
     parts_ = 0;  // the life before ended within a sample: nobody will ever see the rest of it
+    device_us_.reset();
     WriteHeld();
   }
   BusFrame item{at_us, frame.frame.id, frame.frame.dlc, frame.own, {}};
@@ -110,6 +112,17 @@ void BusTap::TakeOther(const CanFrame& frame, std::uint64_t at_us) {
   } else {
     log_.Write(item);
   }
+}
+
+void BusTap::WatchBoardClock(std::uint32_t device_us) {
+  // A signed difference stands the wrap of 32 bits (every 71.6 min).
+  if (device_us_ && static_cast<std::int32_t>(device_us - *device_us_) < 0) {
+    log_.Alarm(
+        fmt::format("{}the board's counter goes backwards, from {:.3f} to {:.3f} s: it "
+                    "restarted unseen, or miscounts",
+                    kInputsLost, *device_us_ * 1e-6, device_us * 1e-6));
+  }
+  device_us_ = device_us;
 }
 
 void BusTap::AddToMean(const ImuSample& sample) {

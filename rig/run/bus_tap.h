@@ -13,7 +13,8 @@ namespace zrobench {
 /// RAW, ACC and RATE of one sample become one ImuSample when the last of them is there. Other
 /// frames that fall between them are written after it: the board handles them after the sample. A
 /// sample without its ACC or RATE is written with zeros there, raises an alarm (kInputsLost, one a
-/// second at most) and stays out of the means.
+/// second at most) and stays out of the means. So does a board whose counter goes backwards without
+/// a boot: it raises the same alarm, for nobody knows what its corrector made of that.
 class BusTap final : public FrameListener {
  public:
   /// `log` is borrowed.
@@ -36,6 +37,7 @@ class BusTap final : public FrameListener {
   void WriteHeld();
   void TellIncomplete(std::uint64_t at_us);
   void TakeOther(const CanFrame& frame, std::uint64_t at_us);
+  void WatchBoardClock(std::uint32_t device_us);
   void AddToMean(const ImuSample& sample);
 
   RunLog& log_;
@@ -52,7 +54,8 @@ class BusTap final : public FrameListener {
     double temperature = 0;
     std::uint32_t n = 0;
   } sums_;
-  std::optional<double> imu_degc_;  ///< absent until the first DUT_TIME
+  std::optional<double> imu_degc_;          ///< absent until the first DUT_TIME
+  std::optional<std::uint32_t> device_us_;  ///< of the last DUT_TIME of this boot
 };
 
 }  // namespace zrobench

@@ -19,6 +19,9 @@ class Gatherer {
  public:
   void operator()(const ImuSample& s) {
     if (evidence_.samples++ == 0) evidence_.first_us = s.at_us;
+    if (s.at_us < evidence_.last_us && evidence_.time_back_us == 0) {
+      evidence_.time_back_us = evidence_.last_us;
+    }
     evidence_.last_us = s.at_us;
     if (last_seq_) {
       evidence_.samples_lost += static_cast<std::uint8_t>(s.seq - *last_seq_ - 1);
@@ -110,6 +113,7 @@ class Gatherer {
     if (e.kind == Kind::kPower && e.a != 0) Close(e, "off");
     if (e.kind == Kind::kAlarm) evidence_.alarms.push_back(e.text);
     if (e.kind == Kind::kAlarm && e.text.starts_with(kInputsLost)) ++evidence_.inputs_lost;
+    if (e.kind == Kind::kAlarm && e.text.starts_with(kDateBackwards)) evidence_.date_back = true;
     if (e.kind == Kind::kRunEnd) evidence_.completed = e.text == "completed";
   }
 

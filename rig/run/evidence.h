@@ -17,6 +17,8 @@ namespace zrobench {
 
 /// Begins every alarm that says: inputs of the corrector are missing from the record.
 inline constexpr std::string_view kInputsLost = "inputs lost: ";
+/// Begins every alarm that says: the date of this host went back, and with it that of new entries.
+inline constexpr std::string_view kDateBackwards = "wall time goes backwards: ";
 
 struct Interval {
   std::uint64_t first_us = 0, last_us = 0;
@@ -66,6 +68,8 @@ struct Evidence {
   std::uint64_t first_us = 0, last_us = 0;
   std::vector<std::string> alarms;
   std::vector<PowerCut> cuts;
+  std::uint64_t time_back_us = 0;            ///< first sample older than the one before; 0 = none
+  bool date_back = false;                    ///< wall time went backwards during the run
   std::vector<std::uint64_t> date_jumps_us;  ///< the rig moved the date by more than a day
   std::uint16_t today_days = 0;  ///< since 1984-01-01, as the rig last told the board; 0 = never
   bool completed = false;        ///< the record holds its end, and the run its whole profile

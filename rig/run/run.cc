@@ -1,5 +1,6 @@
 #include "rig/run/run.h"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <array>
@@ -74,6 +75,15 @@ void ExcuseUnfinished(std::vector<CheckResult>& checks) {
   }
 }
 
+/// Intervals of a record that jumps back in time mean nothing: whatever was measured over them.
+void BlameTheClock(std::uint64_t at_us, std::vector<CheckResult>& checks) {
+  for (CheckResult& check : checks) {
+    check.verdict = Verdict::kRigError;
+    check.reason = fmt::format("time goes backwards in the record after {:.6f} s",
+                               static_cast<double>(at_us) * 1e-6);
+  }
+}
+
 std::vector<CheckResult> JudgeEvidence(const Result<Evidence>& evidence,
                                        const std::filesystem::path& record, const Profile& profile,
                                        const Station& station) {
@@ -90,6 +100,7 @@ std::vector<CheckResult> JudgeEvidence(const Result<Evidence>& evidence,
     }
   }
   if (evidence && !evidence->completed) ExcuseUnfinished(checks);
+  if (evidence && evidence->time_back_us != 0) BlameTheClock(evidence->time_back_us, checks);
   return checks;
 }
 

@@ -164,6 +164,10 @@ CheckResult CheckEntryAge(const Expectation& expect, const CheckContext& context
   if (learned > 0) measure("entry_age.undated", "1", undated, 0);
   if (learned == 0) result.reason = "nothing was learned";
   JudgeCheck(result);
+  if (evidence.date_back) {
+    result.verdict = Verdict::kRigError;
+    result.reason = "wall time went backwards during the run: no entry's date can be trusted";
+  }
   return result;
 }
 

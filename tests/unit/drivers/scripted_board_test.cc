@@ -68,6 +68,18 @@ class ScriptedBoardTest : public testing::Test {
   Script script_;
 };
 
+TEST_F(ScriptedBoardTest, AFrameOlderThanTheOneBeforeIsAnErrorOfTime) {
+  const zro::node::Frame frame{0x290, 8, {}};
+  bus_.Show({frame, Instant(2s), false});
+  bus_.Show({frame, Instant(2s), false});
+  EXPECT_TRUE(board_.Pump());
+  bus_.Show({frame, Instant(1999ms), false});
+  const Status back = board_.Pump();
+  ASSERT_FALSE(back);
+  EXPECT_EQ(back.error().kind, Error::Kind::kTime);
+  EXPECT_THAT(back.error().message, HasSubstr("a frame of 1.999000 s after one of 2.000000 s"));
+}
+
 TEST_F(ScriptedBoardTest, TableThatMovedIsReadOnceMore) {
   script_.Table(1, 2);
   script_.Table(2, 2);

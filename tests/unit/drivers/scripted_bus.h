@@ -24,6 +24,7 @@ class ScriptedBus final : public CanBus {
     return {};
   }
   CanHealth health() const override { return state; }
+  void Show(const CanFrame& frame) { waiting_.push_back(frame); }
 
   std::vector<std::vector<zro::node::Frame>> answers;  ///< to the first, second, ... request
   std::vector<zro::node::Frame> sent;
