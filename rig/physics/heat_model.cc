@@ -7,12 +7,13 @@ HeatModel::HeatModel(const Model& model)
   std::size_t states = 0;
   for (const ActiveTerm& term : terms_) states += term.info->states;
   states_.resize(states);
+  Place(network_.temperatures());
   PowerOn();
 }
 
 void HeatModel::Reset() {
   network_.Reset();
-  shown_ = network_.temperatures();
+  Place(network_.temperatures());
 }
 
 void HeatModel::PowerOn() {
@@ -22,12 +23,16 @@ void HeatModel::PowerOn() {
 void HeatModel::Place(const Temperatures& temperatures) {
   network_.Place(temperatures);
   shown_ = network_.temperatures();
+  die_k_per_s_ = 0;
+  for (const ActiveTerm& term : terms_) term.info->term->Place(shown_, StatesOf(term));
 }
 
 void HeatModel::Advance(double dt_s, const Inputs& inputs) {
+  const double before_degc = network_.temperatures().die_degc;
   flows_ = Flows(inputs, dt_s);
   network_.Advance(dt_s, flows_);
   shown_ = network_.temperatures();
+  if (dt_s > 0) die_k_per_s_ = (shown_.die_degc - before_degc) / dt_s;
   const HeatContext after = Context(inputs, dt_s);
   for (const ActiveTerm& term : terms_) {
     term.info->term->Show(after, term.parameters, StatesOf(term), shown_);
@@ -35,11 +40,12 @@ void HeatModel::Advance(double dt_s, const Inputs& inputs) {
 }
 
 HeatFlows HeatModel::Flows(const Inputs& inputs, double dt_s) {
-  const HeatContext context = Context(inputs, dt_s);
+  HeatContext context = Context(inputs, dt_s);
   double drive_pct = inputs.drive_pct;
   for (const ActiveTerm& term : terms_) {
     drive_pct = term.info->term->Drive(context, term.parameters, StatesOf(term), drive_pct);
   }
+  context.drive_pct = drive_pct;
   HeatFlows flows{network_.PlateHeat(drive_pct), inputs.load_w, 0};
   for (const ActiveTerm& term : terms_) {
     term.info->term->Heat(context, term.parameters, StatesOf(term), flows);

@@ -18,9 +18,9 @@ class HeatModel {
   /// `model` is valid (Validate). Starts at ambient, powered on.
   explicit HeatModel(const Model& model);
 
-  /// Everything at ambient; the terms' states go on where they were.
+  /// Everything at ambient, the terms' own masses, too.
   void Reset();
-  /// Start of a power-on: all states of the terms begin anew.
+  /// Start of a power-on: what restarts with the board begins anew.
   void PowerOn();
   /// The nodes at these temperatures, as a recording found them.
   void Place(const Temperatures& temperatures);
@@ -29,6 +29,7 @@ class HeatModel {
   Temperatures temperatures() const { return network_.temperatures(); }
   /// What the sensors of plate and die show of them, before quantisation.
   Temperatures shown() const { return shown_; }
+  double die_k_per_s() const { return die_k_per_s_; }          ///< over the last step
   double StoredHeat() const { return network_.StoredHeat(); }  ///< above ambient [J]
   /// What flowed in from outside during the last step minus what is lost to ambient now [W].
   double NetHeatFlow() const { return network_.NetHeatFlow(flows_); }
@@ -49,6 +50,7 @@ class HeatModel {
   std::vector<ActiveTerm> terms_;
   std::vector<double> states_;
   HeatFlows flows_;
+  double die_k_per_s_ = 0;
   Temperatures shown_;
 };
 

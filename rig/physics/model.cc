@@ -78,8 +78,13 @@ void CheckValues(const ParameterInfo& parameter, const std::string& key,
     return;
   }
   for (const double value : values) {
-    f.Require(std::isfinite(value) && (!parameter.positive || value > 0), key,
-              parameter.positive ? "> 0" : "finite", value);
+    if (parameter.positive) {
+      f.Require(std::isfinite(value) && value > 0, key, "> 0", value);
+    } else if (parameter.not_negative) {
+      f.Require(std::isfinite(value) && value >= 0, key, ">= 0", value);
+    } else {
+      f.Finite(key, value);
+    }
   }
 }
 

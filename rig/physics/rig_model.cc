@@ -40,7 +40,8 @@ struct RigModel::State {
         sound(PerAxis<RandomStream>(seed, kSound)) {}
 
   void AddTerms(const Inputs& inputs, Sensed& sensed) {
-    TermContext context{inputs, heat.temperatures(), sample_period_s, {}};
+    TermContext context{inputs, heat.temperatures(), sample_period_s,
+                        {},     heat.die_k_per_s(),  false};
     if (inputs.tone_band_hz > 0 && inputs.tone_pa > 0) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         context.normals[axis] = {sound[axis].Normal(), sound[axis].Normal()};
@@ -118,9 +119,9 @@ Axes RigModel::TrueZro() const {
   Inputs quiet = s.last_inputs;
   quiet.tone_pa = 0;
   quiet.turn_dps = quiet.shake_g = {};
+  const TermContext context{quiet, now, s.sample_period_s, {}, s.heat.die_k_per_s(), true};
   for (const ActiveTerm& term : s.heat.terms()) {
-    term.info->term->Output({quiet, now, s.sample_period_s, {}}, term.parameters,
-                            s.heat.StatesOf(term), sensed);
+    term.info->term->Output(context, term.parameters, s.heat.StatesOf(term), sensed);
   }
   return sensed.rate_dps;
 }

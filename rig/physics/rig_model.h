@@ -51,7 +51,7 @@ class RigModel {
   RigModel& operator=(RigModel&&) noexcept;
   ~RigModel();
 
-  /// Everything at the ambient temperature. Noise and terms go on where they were.
+  /// Everything at the ambient temperature, the terms' masses, too. Noise goes on where it was.
   void Reset();
   /// Moves heat for `dt_s` with `inputs` held: exact for the linear network (matrix exponential).
   /// Cheap (10 ns) for the last eight lengths of step, some microseconds for a new one.

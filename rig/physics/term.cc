@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
 
 #include "core/check.h"
@@ -9,6 +10,17 @@
 #include "rig/physics/terms/acoustic_rectification.h"
 #include "rig/physics/terms/acoustic_resonance.h"
 #include "rig/physics/terms/gyro_ageing.h"
+#include "rig/physics/terms/gyro_backlash.h"
+#include "rig/physics/terms/gyro_creep.h"
+#include "rig/physics/terms/gyro_g_sensitivity.h"
+#include "rig/physics/terms/gyro_hysteresis.h"
+#include "rig/physics/terms/gyro_quantisation.h"
+#include "rig/physics/terms/gyro_step.h"
+#include "rig/physics/terms/gyro_supply.h"
+#include "rig/physics/terms/gyro_temperature_curve.h"
+#include "rig/physics/terms/gyro_temperature_rate.h"
+#include "rig/physics/terms/gyro_vibration_rectification.h"
+#include "rig/physics/terms/gyro_warm_up.h"
 #include "rig/physics/terms/thermal_self_heating.h"
 
 namespace zrobench::physics {
@@ -43,6 +55,7 @@ void Append(const TermInfo& info, const Model& model, std::vector<double>& flat)
 
 }  // namespace
 
+void Term::Place(const Temperatures&, std::span<double>) const {}
 void Term::PowerOn(std::span<double>) const {}
 void Term::Step(const TermContext&, std::span<const double>, std::span<double>) const {}
 void Term::Output(const TermContext&, std::span<const double>, std::span<const double>,
@@ -56,9 +69,14 @@ void Term::Show(const HeatContext&, std::span<const double>, std::span<double>,
                 Temperatures&) const {}
 
 std::span<const TermInfo> Catalogue() {
-  static const std::array infos = {AcousticAliasInfo(), AcousticRectificationInfo(),
-                                   AcousticResonanceInfo(), GyroAgeingInfo(),
-                                   ThermalSelfHeatingInfo()};
+  static const std::array infos = {AcousticAliasInfo(),       AcousticRectificationInfo(),
+                                   AcousticResonanceInfo(),   GyroAgeingInfo(),
+                                   GyroBacklashInfo(),        GyroCreepInfo(),
+                                   GyroGSensitivityInfo(),    GyroHysteresisInfo(),
+                                   GyroQuantisationInfo(),    GyroStepInfo(),
+                                   GyroSupplyInfo(),          GyroTemperatureCurveInfo(),
+                                   GyroTemperatureRateInfo(), GyroVibrationRectificationInfo(),
+                                   GyroWarmUpInfo(),          ThermalSelfHeatingInfo()};
   return infos;
 }
 
@@ -74,10 +92,29 @@ std::string_view NearestTerm(std::string_view id) {
       .id;
 }
 
+std::vector<std::string_view> UnmetNeeds(const TermInfo& info,
+                                         std::span<const std::string> columns) {
+  const auto met = [&](std::string_view need) {
+    for (std::size_t begin = 0; begin <= need.size();) {
+      const std::size_t end = std::min(need.find('|', begin), need.size());
+      if (std::ranges::find(columns, need.substr(begin, end - begin)) != columns.end()) return true;
+      begin = end + 1;
+    }
+    return false;
+  };
+  std::vector<std::string_view> unmet;
+  std::ranges::remove_copy_if(info.needs, std::back_inserter(unmet), met);
+  return unmet;
+}
+
 std::vector<double> FlatParameters(const TermInfo& info, const Model& model) {
   std::vector<double> flat;
   Append(info, model, flat);
-  if (!info.borrows.empty()) Append(*FindTerm(info.borrows), model, flat);
+  for (std::string_view from = info.borrows; !from.empty();) {
+    const TermInfo& lender = *FindTerm(from);
+    Append(lender, model, flat);
+    from = lender.borrows;
+  }
   return flat;
 }
 

@@ -22,6 +22,9 @@ struct TermContext {
   double sample_period_s = 0;
   /// Independent unit normals, two an axis, anew each sample; zero unless noise sounds.
   std::array<std::array<double, 2>, 3> normals{};
+  double die_k_per_s = 0;  ///< how fast the die's temperature moves
+  /// Asked for the offset itself, without noise: what only rounds or clips stays away.
+  bool truth = false;
 };
 
 /// What a term may look at when heat moves.
@@ -30,6 +33,7 @@ struct HeatContext {
   const Model& model;
   Temperatures temperatures;  ///< at the beginning of the step
   double dt_s = 0;
+  double drive_pct = 0;  ///< in Heat: what reaches the plate's actuator
 };
 
 /// One effect. Stateless; every hook does nothing unless overridden. `parameters` has the layout
@@ -38,7 +42,9 @@ struct HeatContext {
 class Term {
  public:
   virtual ~Term() = default;
-  /// The states at the start of a power-on.
+  /// The states when the rig, or a recording, begins at these temperatures; a PowerOn follows.
+  virtual void Place(const Temperatures& at, std::span<double> states) const;
+  /// The states at the start of a power-on. What is warm stays warm: only the board restarts.
   virtual void PowerOn(std::span<double> states) const;
   /// Moves the states on by one sample period, before Output.
   virtual void Step(const TermContext& context, std::span<const double> parameters,
@@ -65,6 +71,10 @@ struct ParameterInfo {
   bool coefficient = false;      ///< zero switches the effect off; else a shape parameter
   bool positive = false;         ///< must be > 0
   std::string_view sign;         ///< what a positive value does, or what the value means
+  /// Values worth trying: of a shape parameter (empty: keep what the model states), and of a
+  /// coefficient whose effect does not begin in proportion to it. Per axis, all axes alike.
+  std::vector<double> grid = {};
+  bool not_negative = false;  ///< must be >= 0: differences at zero are taken upwards
 };
 
 struct TermInfo {
@@ -79,6 +89,12 @@ struct TermInfo {
   std::string_view excitation;               ///< what must happen for it to show
   std::size_t states = 0;
   const Term* term = nullptr;  ///< never null in the catalogue; lives as long as the program
+  /// Columns of a recording without which the term is not testable; "a|b": either will do.
+  std::vector<std::string_view> needs = {};
+  bool needs_power_ons = false;  ///< one power-on cannot tell it from a constant or a drift
+  /// In proportion to its coefficients, the shape given; else only while they are small.
+  bool linear = true;
+  bool scanned = true;  ///< false: run forward only, for what a difference cannot find
 };
 
 /// Every term there is, by id. Valid as long as the program runs.
@@ -87,9 +103,12 @@ std::span<const TermInfo> Catalogue();
 const TermInfo* FindTerm(std::string_view id);
 /// The known id most like `id`, for an error message.
 std::string_view NearestTerm(std::string_view id);
+/// Those of `info.needs` that these columns do not meet.
+std::vector<std::string_view> UnmetNeeds(const TermInfo& info,
+                                         std::span<const std::string> columns);
 
-/// The values of `info`'s parameters in the catalogue's order, then of the term it borrows from:
-/// what the model states, else the defaults. `model` is valid (Validate).
+/// The values of `info`'s parameters in the catalogue's order, then of the term it borrows from,
+/// and so on: what the model states, else the defaults. `model` is valid (Validate).
 std::vector<double> FlatParameters(const TermInfo& info, const Model& model);
 
 /// A term that the model switches on. Terms that are off do not appear, so they cost nothing.

@@ -63,6 +63,7 @@ TermInfo AcousticRectificationInfo() {
       .excitation = "tone bursts on and off at resonance, at two levels",
       .states = 3 * kResonatorStates,
       .term = &term,
+      .needs = {"tone_hz", "tone_spl_db|tone_v", "gyro_x_dps|gyro_y_dps|gyro_z_dps"},
   };
 }
 

@@ -67,14 +67,22 @@ TermInfo AcousticResonanceInfo() {
           "magnitudes: engineering estimate",
       .parameters =
           {{"resonance_hz", "Hz", {33000, 30000, 27000}, 30000, false, true, "centre of each axis"},
-           {"q", "1", {450}, 450, false, true, "quality factor: half-power width is f_r / Q"},
+           {"q",
+            "1",
+            {450},
+            450,
+            false,
+            true,
+            "quality factor: half-power width is f_r / Q",
+            {50, 150, 450, 1500, 5000}},
            {"mode_split_hz",
             "Hz",
             {1373},
             1000,
             false,
             false,
-            "resonance above the drive frequency; 0 = a tone at resonance beats at 0 Hz"},
+            "resonance above the drive frequency; 0 = a tone at resonance beats at 0 Hz",
+            {0, 500, 1000, 1373, 3000}},
            {"injection_dps_per_pa",
             "dps/Pa",
             {0.06, 0.08, 0.15},
@@ -88,6 +96,7 @@ TermInfo AcousticResonanceInfo() {
       .excitation = "tones in steps across the resonance, at two levels",
       .states = kEnvelopes + 3 * kResonatorStates,
       .term = &term,
+      .needs = {"tone_hz", "tone_spl_db|tone_v", "gyro_x_dps|gyro_y_dps|gyro_z_dps"},
   };
 }
 

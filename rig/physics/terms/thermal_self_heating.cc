@@ -40,10 +40,12 @@ TermInfo ThermalSelfHeatingInfo() {
                       "positive warms the board, at a load of 100 %"}},
       .borrows = {},
       .channels = {"imu_degc", "gyro_x_dps", "gyro_y_dps", "gyro_z_dps"},
-      .lookalikes = {"gyro.warm_up", "temperature sensor's offset"},
+      .lookalikes = {"gyro.warm_up", "gyro.supply", "thermal.ambient_drift",
+                     "temperature sensor's offset"},
       .excitation = "power cycles and loads with the plate at rest",
       .states = 0,
       .term = &term,
+      .needs = {"imu_degc", "plate_degc|drive_pct"},
   };
 }
 

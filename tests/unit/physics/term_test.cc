@@ -23,6 +23,7 @@ TEST(Catalogue, EveryEntryIsComplete) {
     }
     EXPECT_FALSE(info.channels.empty()) << info.id;
     EXPECT_FALSE(info.lookalikes.empty()) << info.id;
+    EXPECT_FALSE(info.needs.empty()) << info.id;
     bool has_coefficient = false;
     for (const ParameterInfo& parameter : info.parameters) {
       EXPECT_TRUE(parameter.defaults.size() == 1 || parameter.defaults.size() == 3);
@@ -40,6 +41,15 @@ TEST(Catalogue, FindsByExactIdOnly) {
   EXPECT_EQ(FindTerm("acoustic.resonanc"), nullptr);
   EXPECT_EQ(NearestTerm("acoustic.resonanc"), "acoustic.resonance");
   EXPECT_EQ(NearestTerm("rectification"), "acoustic.rectification");
+}
+
+TEST(UnmetNeeds, OneOfTheAlternativesIsEnough) {
+  TermInfo info;
+  info.needs = {"imu_degc", "plate_degc|drive_pct", "tone_hz"};
+  const std::vector<std::string> columns = {"t_s", "drive_pct", "imu_degc"};
+  EXPECT_THAT(UnmetNeeds(info, columns), ElementsAre("tone_hz"));
+  EXPECT_THAT(UnmetNeeds(info, std::vector<std::string>{"plate"}),
+              ElementsAre("imu_degc", "plate_degc|drive_pct", "tone_hz"));
 }
 
 TEST(FlatParameters, StatedValuesReplaceDefaultsAndBorrowedOnesFollow) {
