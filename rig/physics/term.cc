@@ -21,7 +21,21 @@
 #include "rig/physics/terms/gyro_temperature_rate.h"
 #include "rig/physics/terms/gyro_vibration_rectification.h"
 #include "rig/physics/terms/gyro_warm_up.h"
+#include "rig/physics/terms/thermal_ambient_drift.h"
+#include "rig/physics/terms/thermal_contact_resistance_temperature.h"
+#include "rig/physics/terms/thermal_convection.h"
+#include "rig/physics/terms/thermal_dead_time.h"
+#include "rig/physics/terms/thermal_die_sensor_hold.h"
+#include "rig/physics/terms/thermal_parallel_mass.h"
+#include "rig/physics/terms/thermal_peltier_joule.h"
+#include "rig/physics/terms/thermal_plate_sensor_gain.h"
+#include "rig/physics/terms/thermal_plate_sensor_lag.h"
+#include "rig/physics/terms/thermal_radiation.h"
+#include "rig/physics/terms/thermal_saturation.h"
 #include "rig/physics/terms/thermal_self_heating.h"
+#include "rig/physics/terms/thermal_series_mass.h"
+#include "rig/physics/terms/time_latency.h"
+#include "rig/physics/terms/time_sample_hold.h"
 
 namespace zrobench::physics {
 namespace {
@@ -69,14 +83,36 @@ void Term::Show(const HeatContext&, std::span<const double>, std::span<double>,
                 Temperatures&) const {}
 
 std::span<const TermInfo> Catalogue() {
-  static const std::array infos = {AcousticAliasInfo(),       AcousticRectificationInfo(),
-                                   AcousticResonanceInfo(),   GyroAgeingInfo(),
-                                   GyroBacklashInfo(),        GyroCreepInfo(),
-                                   GyroGSensitivityInfo(),    GyroHysteresisInfo(),
-                                   GyroQuantisationInfo(),    GyroStepInfo(),
-                                   GyroSupplyInfo(),          GyroTemperatureCurveInfo(),
-                                   GyroTemperatureRateInfo(), GyroVibrationRectificationInfo(),
-                                   GyroWarmUpInfo(),          ThermalSelfHeatingInfo()};
+  static const std::array infos = {AcousticAliasInfo(),
+                                   AcousticRectificationInfo(),
+                                   AcousticResonanceInfo(),
+                                   GyroAgeingInfo(),
+                                   GyroBacklashInfo(),
+                                   GyroCreepInfo(),
+                                   GyroGSensitivityInfo(),
+                                   GyroHysteresisInfo(),
+                                   GyroQuantisationInfo(),
+                                   GyroStepInfo(),
+                                   GyroSupplyInfo(),
+                                   GyroTemperatureCurveInfo(),
+                                   GyroTemperatureRateInfo(),
+                                   GyroVibrationRectificationInfo(),
+                                   GyroWarmUpInfo(),
+                                   ThermalAmbientDriftInfo(),
+                                   ThermalContactResistanceTemperatureInfo(),
+                                   ThermalConvectionInfo(),
+                                   ThermalDeadTimeInfo(),
+                                   ThermalDieSensorHoldInfo(),
+                                   ThermalParallelMassInfo(),
+                                   ThermalPeltierJouleInfo(),
+                                   ThermalPlateSensorGainInfo(),
+                                   ThermalPlateSensorLagInfo(),
+                                   ThermalRadiationInfo(),
+                                   ThermalSaturationInfo(),
+                                   ThermalSelfHeatingInfo(),
+                                   ThermalSeriesMassInfo(),
+                                   TimeLatencyInfo(),
+                                   TimeSampleHoldInfo()};
   return infos;
 }
 

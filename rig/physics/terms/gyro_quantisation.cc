@@ -13,7 +13,7 @@ class GyroQuantisation final : public Term {
   void Output(const TermContext& context, std::span<const double> parameters,
               std::span<const double>, Sensed& sensed) const override {
     const double step_dps = parameters[0];
-    if (step_dps == 0 || context.truth) return;
+    if (step_dps <= 0 || context.truth) return;
     for (double& rate_dps : sensed.rate_dps) rate_dps = step_dps * std::round(rate_dps / step_dps);
   }
 };
