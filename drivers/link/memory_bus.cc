@@ -1,5 +1,7 @@
 #include "drivers/link/memory_bus.h"
 
+#include <cstring>
+
 #include "core/check.h"
 
 namespace zrobench {
@@ -8,10 +10,16 @@ MemoryBus::MemoryBus(const Clock& clock, std::size_t capacity) : clock_(clock), 
   ZROBENCH_CHECK(capacity > 0);
 }
 
-void MemoryBus::Ring::Push(const CanFrame& frame) {
+void MemoryBus::Ring::Push(const zro::node::Frame& frame, Instant at, bool own) {
   std::size_t tail = head_ + size_;
   if (tail >= frames_.size()) tail -= frames_.size();
-  frames_[tail] = frame;
+  CanFrame& slot = frames_[tail];
+  // Field by field, as the node has just written them: one wide load would wait for the stores.
+  slot.frame.id = frame.id;
+  slot.frame.dlc = frame.dlc;
+  std::memcpy(slot.frame.data, frame.data, sizeof frame.data);
+  slot.at = at;
+  slot.own = own;
   ++size_;
 }
 
@@ -35,7 +43,7 @@ Status MemoryBus::Send(const zro::node::Frame& frame) {
   if (to_board_.full()) {
     return Fail(Error::Kind::kTimeout, "memory bus: the board takes no frames (is it powered?)");
   }
-  to_board_.Push(CanFrame{frame, clock_.now(), true});
+  to_board_.Push(frame, clock_.now(), true);
   Deliver(frame, true);
   return {};
 }
@@ -50,7 +58,7 @@ void MemoryBus::Deliver(const zro::node::Frame& frame, bool own) {
     ++health_.lost;
     return;
   }
-  to_rig_.Push(CanFrame{frame, clock_.now(), own});
+  to_rig_.Push(frame, clock_.now(), own);
 }
 
 }  // namespace zrobench

@@ -44,7 +44,7 @@ class MemoryBus final : public CanBus {
     explicit Ring(std::size_t capacity) : frames_(capacity) {}
     bool empty() const { return size_ == 0; }
     bool full() const { return size_ == frames_.size(); }
-    void Push(const CanFrame& frame);
+    void Push(const zro::node::Frame& frame, Instant at, bool own);
     CanFrame Pop();
 
    private:

@@ -75,8 +75,7 @@ Status Reader::ReadHeader() {
   return {};
 }
 
-bool Reader::Fill(std::size_t bytes) {
-  if (available() >= bytes) return true;
+bool Reader::ReadMore(std::size_t bytes) {
   std::memmove(buffer_.get(), buffer_.get() + at_, available());
   filled_ -= std::exchange(at_, 0);
   while (filled_ < bytes) {

@@ -46,7 +46,8 @@ class Reader {
   Reader(std::filesystem::path path, int fd);
   Status ReadHeader();
   std::size_t available() const { return filled_ - at_; }
-  bool Fill(std::size_t bytes);
+  bool Fill(std::size_t bytes) { return available() >= bytes || ReadMore(bytes); }
+  bool ReadMore(std::size_t bytes);
   std::nullopt_t Damaged(const char* why);
 
   std::filesystem::path path_;
