@@ -73,6 +73,9 @@ class Node {
   std::uint8_t nmt_state() const { return nmt_state_; }
   const Corrector& corrector() const { return corrector_; }
   const EventLog& log() const { return log_; }
+  /// How hard the host wants the board to work, 0..100 %: the firmware burns that share of its
+  /// time.
+  std::uint8_t load_pct() const { return test_modes_.load_pct(); }
   /// What the last OnSample() gave; all zero before the first.
   const Output& last_output() const { return output_; }
 

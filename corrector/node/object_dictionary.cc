@@ -22,8 +22,9 @@ constexpr SdoObject kObjects[] = {
     {0x2005, 0, 0, kWo, 0}, {0x2100, 0, 0, kRo, 1},   {0x2100, 1, 1, kRw, 1},
     {0x2100, 2, 5, kRw, 4}, {0x2100, 6, 6, kRw, 2},   {0x2100, 7, 7, kRw, 4},
     {0x2100, 8, 9, kRw, 2}, {0x2101, 0, 0, kRo, 1},   {0x2101, 1, 1, kRw, 4},
-    {0x2101, 2, 2, kRw, 6}, {0x2200, 0, 0, kRo, 1},   {0x2200, 1, 4, kRo, 4},
-    {0x2200, 5, 5, kWo, 4}, {0x2200, 6, 6, kRw, 4},   {0x2201, 0, 0, kRo, 0},
+    {0x2101, 2, 2, kRw, 6}, {0x2101, 6, 6, kRw, 1},   {0x2200, 0, 0, kRo, 1},
+    {0x2200, 1, 4, kRo, 4}, {0x2200, 5, 5, kWo, 4},   {0x2200, 6, 6, kRw, 4},
+    {0x2201, 0, 0, kRo, 0},
 };
 
 std::uint8_t HighestSub(std::uint16_t index) {
@@ -166,6 +167,10 @@ SdoAbort ObjectDictionary::ReadTable(std::uint16_t index, std::uint8_t sub, Byte
 
 SdoAbort ObjectDictionary::ReadTestModes(std::uint8_t sub, ByteWriter* out) const {
   if (sub == 1) return PutU32(from_.test_modes->unlocked() ? 1 : 0, out);
+  if (sub == 6) {
+    out->Put(from_.test_modes->load_pct(), 1);
+    return SdoAbort::kNone;
+  }
   for (int i = 0; i < kAxes; ++i) {
     out->Put(static_cast<std::uint16_t>(from_.test_modes->injection_lsb()[i]), 2);
   }
@@ -270,6 +275,7 @@ SdoAbort ObjectDictionary::WriteTestModes(std::uint8_t sub, const std::uint8_t* 
   TestModes& modes = *from_.test_modes;
   if (sub == 1) return modes.Unlock(GetU32(bytes)) ? SdoAbort::kNone : SdoAbort::kRange;
   if (!modes.unlocked()) return SdoAbort::kWrongState;
+  if (sub == 6) return modes.SetLoad(bytes[0]) ? SdoAbort::kNone : SdoAbort::kRange;
   const std::int16_t lsb[kAxes] = {static_cast<std::int16_t>(GetU16(bytes)),
                                    static_cast<std::int16_t>(GetU16(bytes + 2)),
                                    static_cast<std::int16_t>(GetU16(bytes + 4))};

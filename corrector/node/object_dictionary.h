@@ -16,7 +16,8 @@
 // 0x2005      DOMAIN wo  factory entries of 20 bytes: f32 temp_degc, zro_dps[3], sigma_dps;
 //                      unlocked only; entries before one that is refused stay
 // 0x2100:1..9 rw  limits (limit_objects.h)
-// 0x2101:1    u32  rw  unlock (reads 1 when unlocked); :2 i16[3] rw rate injection (test_modes.h)
+// 0x2101:1    u32  rw  unlock (reads 1 when unlocked); :2 i16[3] rw rate injection,
+//                      :6 u8 rw load of the board's own [%] (test_modes.h)
 // 0x2200      :1 total, :2 lost, :3 oldest, :4 newest (u32 ro), :5 u32 wo "clrl" clears, :6 u32 rw
 //                      read cursor (event_log.h)
 // 0x2201      DOMAIN ro  up to 16 log records from the cursor on; it moves when they are read

@@ -19,12 +19,16 @@ class TestModes {
   bool Unlock(std::uint32_t key);
   /// 0x2101:2. Gyro LSB added to what the corrector sees, not to DUT_RAW. Needs unlocked().
   void SetInjection(const std::int16_t lsb[kAxes]);
+  /// 0x2101:6. How hard the board works to warm itself [% of its time]; false above 100. Needs
+  /// unlocked(). The corrector goes on as ever: real heat is no test value.
+  bool SetLoad(std::uint8_t pct);
   void OnRigHeartbeat() { since_ = 0; }
   /// A sample that comes `elapsed` periods after the one before.
   void OnSample(std::uint32_t elapsed);
 
   bool unlocked() const { return unlocked_; }
   bool active() const { return injection_[0] != 0 || injection_[1] != 0 || injection_[2] != 0; }
+  std::uint8_t load_pct() const { return load_pct_; }
   const std::int16_t* injection_lsb() const { return injection_; }
 
  private:
@@ -34,6 +38,7 @@ class TestModes {
   std::uint32_t since_ = 0;
   bool unlocked_ = false;
   std::int16_t injection_[kAxes] = {};
+  std::uint8_t load_pct_ = 0;
 };
 
 }  // namespace zro::node

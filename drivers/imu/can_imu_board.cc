@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "corrector/bytes.h"
 #include "corrector/crc32.h"
@@ -221,6 +222,17 @@ Status CanImuBoard::DownloadFactoryEntry(double temp_degc, const std::array<doub
   const Status downloaded = sdo_.Download(0x2005, 0, entry, deadline);
   const Status locked = WriteU32(0x2101, 1, 0, deadline);
   return downloaded ? locked : downloaded;
+}
+
+Status CanImuBoard::SetLoad(double duty_pct, Instant deadline) {
+  const std::uint8_t pct[] = {static_cast<std::uint8_t>(std::lround(duty_pct))};
+  if (Status unlocked = WriteU32(0x2101, 1, zro::node::TestModes::kKey, deadline); !unlocked) {
+    return unlocked;
+  }
+  const Status set = sdo_.Download(0x2101, 6, pct, deadline);
+  if (set && pct[0] != 0) return {};
+  const Status locked = WriteU32(0x2101, 1, 0, deadline);
+  return set ? locked : set;
 }
 
 }  // namespace zrobench

@@ -30,6 +30,8 @@ class CanImuBoard final : public ImuBoard {
   Status DownloadFactoryEntry(double temp_degc, const std::array<double, 3>& zro_dps,
                               double sigma_dps, Instant deadline) override;
 
+  Status SetLoad(double duty_pct, Instant deadline) override;
+
   /// Any other object.
   SdoClient& sdo() { return sdo_; }
 

@@ -77,6 +77,10 @@ class ImuBoard {
   virtual Status RestoreFactory(Instant deadline) = 0;
   virtual Status DownloadFactoryEntry(double temp_degc, const std::array<double, 3>& zro_dps,
                                       double sigma_dps, Instant deadline) = 0;
+  /// Lets the board warm itself by its own work, `duty_pct` 0..100 of its time (object 0x2101:6),
+  /// for as long as heartbeats come; 0 ends it, and the board's test modes with it. kRefused where
+  /// a board has no such load.
+  virtual Status SetLoad(double duty_pct, Instant deadline) = 0;
 };
 
 }  // namespace zrobench

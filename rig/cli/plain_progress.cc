@@ -52,7 +52,13 @@ void PlainProgress::OnEvent(const EventItem& event, const RunSnapshot& snapshot)
       Line(event.at_us,
            event.a > 0 ? fmt::format("{}  {:g} Hz, {:.0f} dB SPL, board at {:.1f} degC", event.text,
                                      event.a, event.b, snapshot.imu_degc)
-                       : fmt::format("{}  board at {:.1f} degC", event.text, snapshot.imu_degc));
+           : event.b > 0 ? fmt::format("{}, {:.0f} dB SPL, board at {:.1f} degC", event.text,
+                                       event.b, snapshot.imu_degc)
+                         : fmt::format("{}  board at {:.1f} degC", event.text, snapshot.imu_degc));
+      break;
+    case Kind::kLoad:
+      Line(event.at_us,
+           fmt::format("load  {:g} %, board at {:.1f} degC", event.a, snapshot.imu_degc));
       break;
     case Kind::kStimulusEnd:
       Line(event.at_us, event.text + "  over");

@@ -50,12 +50,17 @@ class Digest {
     if (plan_.steps.empty()) return;
     PlannedStep& step = plan_.steps.back();
     if (event.kind == Kind::kStimulusBegin) {
-      const std::string what =
-          event.a > 0 ? fmt::format("{} {:g} Hz {:.0f} dB SPL", event.text, event.a, event.b)
-                      : event.text;
+      std::string what = event.text;
+      if (event.a > 0) what += fmt::format(" {:g} Hz", event.a);
+      if (event.b > 0) what += fmt::format(" {:.0f} dB SPL", event.b);
       step.stimuli.push_back({what, at_s, 0, board_degc_, {}});
     }
-    if (event.kind == Kind::kStimulusEnd) EndStimulus(step, event.text, at_s);
+    if (event.kind == Kind::kLoad && event.a > 0) {
+      const std::string what = fmt::format("{} {:g} %", event.text, event.a);
+      step.stimuli.push_back({what, at_s, 0, board_degc_, {}});
+    }
+    const bool unloaded = event.kind == Kind::kLoad && event.a == 0;
+    if (event.kind == Kind::kStimulusEnd || unloaded) EndStimulus(step, event.text, at_s);
     if (event.kind == Kind::kStepEnd || event.kind == Kind::kRunEnd) {
       if (step.lasts_s == 0) step.lasts_s = at_s - step.start_s;
       if (event.kind == Kind::kStepEnd) step.to_degc = board_degc_;

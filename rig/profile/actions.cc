@@ -5,37 +5,19 @@
 
 #include <algorithm>
 
-#include "core/units.h"
 #include "rig/profile/dew_point.h"
+#include "rig/profile/sounds.h"
 
 namespace zrobench {
 namespace {
 
-constexpr double kWeekS = 7 * 86400.0;  // longer is a slip of units
+constexpr double kMinRate_degc_per_min = 0.01;  // slower is a slip of units, or a month
 
-const std::vector<std::string> kKinds = {"soak", "ramp",        "hold", "tone",
-                                         "move", "power_cycle", "date"};
+const std::vector<std::string> kKinds = {"soak",  "ramp", "hold",        "tone", "music",
+                                         "sweep", "move", "power_cycle", "load", "date"};
 // Named by the format, not driven by this version: refused, so that nothing is left out silently.
-const std::vector<std::string> kLater = {"music", "sweep", "load", "confirm"};
+const std::vector<std::string> kLater = {"confirm"};
 const std::vector<std::string> kMoves = {"tap", "rotate", "vibrate", "hand_held"};
-
-std::string LimitOf(const Station& station, std::string_view key) {
-  return fmt::format("{} of station {}", key, station.path.string());
-}
-
-Range DurationRange() {
-  Range range = Range::Positive(kWeekS);
-  range.high_reason = "seven days";
-  return range;
-}
-
-Range Limited(double low, double high, const std::string& low_reason,
-              const std::string& high_reason) {
-  Range range = Range::Between(low, high);
-  range.low_reason = low_reason;
-  range.high_reason = high_reason;
-  return range;
-}
 
 // Wet boards drift and short: below the dew point only with dry gas.
 void ReadSetPoint(TableReader* reader, const Station& station, double* degc) {
@@ -54,7 +36,7 @@ Soak ReadSoak(TableReader reader, const Station& station) {
   Soak soak;
   ReadSetPoint(&reader, station, &soak.to_degc);
   reader.Number("hold_s", &soak.hold_s, DurationRange());
-  reader.Number("settled_degc", &soak.settled_degc, Range::Positive(10));
+  reader.Number("settled_degc", &soak.settled_degc, Range::Between(0.01, 10));
   reader.Require({"to_degc", "hold_s"});
   reader.RefuseOtherKeys();
   return soak;
@@ -62,8 +44,8 @@ Soak ReadSoak(TableReader reader, const Station& station) {
 
 Ramp ReadRamp(TableReader reader, const Station& station) {
   Ramp ramp;
-  Range rate = Range::Positive(station.limits.max_rate_degc_per_min);
-  rate.high_reason = LimitOf(station, "max_rate_degc_per_min");
+  const Range rate = Limited(kMinRate_degc_per_min, station.limits.max_rate_degc_per_min,
+                             "slower than any bench", LimitOf(station, "max_rate_degc_per_min"));
   ReadSetPoint(&reader, station, &ramp.to_degc);
   reader.Number("rate_degc_per_min", &ramp.rate_degc_per_min, rate);
   reader.Require({"to_degc", "rate_degc_per_min"});
@@ -77,52 +59,6 @@ Hold ReadHold(TableReader reader) {
   reader.Require({"for_s"});
   reader.RefuseOtherKeys();
   return hold;
-}
-
-// The other level follows from the speaker's nominal sensitivity; either may hit its own limit.
-void ReadLevel(TableReader* reader, const Station& station, Tone* tone) {
-  const bool has_v = reader->Has("v"), has_spl = reader->Has("spl_db");
-  if (has_v == has_spl) {
-    reader->Complain(has_v ? "v" : "", "a tone wants either spl_db or v");
-    return;
-  }
-  const StationLimits& limits = station.limits;
-  const double pa_per_v = station.model.speaker.pa_per_v;
-  Range v = Range::Positive(limits.max_tone_v);
-  v.high_reason = LimitOf(station, "max_tone_v");
-  const Range spl =
-      Limited(0, limits.max_spl_db, "the threshold of hearing", LimitOf(station, "max_spl_db"));
-  if (has_spl && reader->Number("spl_db", &tone->spl_db, spl)) {
-    tone->v = PaFromSplDb(tone->spl_db) / pa_per_v;
-    if (tone->v <= limits.max_tone_v) return;
-    reader->Complain("spl_db",
-                     fmt::format("spl_db = {} takes {:.3g} V, above {} ({})", tone->spl_db, tone->v,
-                                 limits.max_tone_v, v.high_reason));
-  }
-  if (has_v && reader->Number("v", &tone->v, v)) {
-    tone->spl_db = SplDbFromPa(tone->v * pa_per_v);
-    if (tone->spl_db <= limits.max_spl_db) return;
-    reader->Complain("v", fmt::format("v = {} makes {:.1f} dB SPL, above {} ({})", tone->v,
-                                      tone->spl_db, limits.max_spl_db, spl.high_reason));
-  }
-}
-
-Tone ReadTone(TableReader reader, const Station& station) {
-  Tone tone;
-  const StationLimits& limits = station.limits;
-  reader.Number("hz", &tone.hz,
-                Limited(limits.min_tone_hz, limits.max_tone_hz, LimitOf(station, "min_tone_hz"),
-                        LimitOf(station, "max_tone_hz")));
-  ReadLevel(&reader, station, &tone);
-  Range duration = Range::Positive(limits.max_tone_s);
-  duration.high_reason = LimitOf(station, "max_tone_s");
-  reader.Number("for_s", &tone.for_s, duration);
-  reader.Require({"hz", "for_s"});
-  reader.RefuseOtherKeys();
-  if (station.speaker.empty()) {
-    reader.Complain("", fmt::format("station {} has no speaker", station.path.string()));
-  }
-  return tone;
 }
 
 Move ReadMove(TableReader reader) {
@@ -158,11 +94,23 @@ DateStep ReadDate(TableReader reader, const Station& station) {
   return date;
 }
 
+Load ReadLoad(TableReader reader) {
+  Load load;
+  reader.Number("duty_pct", &load.duty_pct, Range::Between(1, 100));
+  reader.Number("for_s", &load.for_s, DurationRange());
+  reader.Require({"duty_pct", "for_s"});
+  reader.RefuseOtherKeys();
+  return load;
+}
+
 Action ReadKind(const std::string& kind, const TableReader& table, const Station& station) {
   if (kind == "soak") return ReadSoak(table, station);
   if (kind == "ramp") return ReadRamp(table, station);
   if (kind == "hold") return ReadHold(table);
   if (kind == "tone") return ReadTone(table, station);
+  if (kind == "music") return ReadMusic(table, station);
+  if (kind == "sweep") return ReadSweep(table, station);
+  if (kind == "load") return ReadLoad(table);
   if (kind == "move") return ReadMove(table);
   if (kind == "date") return ReadDate(table, station);
   return ReadPowerCycle(table);
@@ -182,6 +130,9 @@ void CheckStart(const Action& action, std::optional<double> from_degc, const Sti
                                              *stimulus.at_degc, *from_degc, *to_degc));
     }
   }
+  if (std::holds_alternative<PowerCycle>(action) && std::holds_alternative<Load>(stimulus.what)) {
+    reader.Complain("load", "a board without its supply carries no load");
+  }
   const Hold* hold = std::get_if<Hold>(&action);
   if (hold && stimulus.at_s && *stimulus.at_s >= hold->for_s) {
     reader.Complain("at_s", fmt::format("at_s = {} is after the hold's end at {} s", *stimulus.at_s,
@@ -189,22 +140,40 @@ void CheckStart(const Action& action, std::optional<double> from_degc, const Sti
   }
 }
 
+using What = decltype(Stimulus::what);
+
+/// The one table of a stimulus that names what it is.
+std::optional<What> ReadWhat(TableReader* reader, const Station& station) {
+  std::optional<What> what;
+  int found = 0;
+  for (const std::string kind : {"tone", "music", "sweep", "move", "load"}) {
+    const TableReader table = reader->Table(kind);
+    if (!table.present()) continue;
+    ++found;
+    std::visit(
+        [&]<typename T>(T action) {
+          if constexpr (std::is_constructible_v<What, T>) what = std::move(action);
+        },
+        ReadKind(kind, table, station));
+  }
+  return found == 1 ? what : std::nullopt;
+}
+
 // Each with its own start: `at_s` or `at_degc`.
 std::optional<Stimulus> ReadStimulus(TableReader reader, const Station& station) {
-  const TableReader tone = reader.Table("tone"), move = reader.Table("move");
   double at_s = 0, at_degc = 0;
   Stimulus stimulus;
-  if (reader.Number("at_s", &at_s, Range::Between(0, kWeekS))) stimulus.at_s = at_s;
+  if (reader.Number("at_s", &at_s, Range::Between(0, DurationRange().high))) stimulus.at_s = at_s;
   if (reader.Number("at_degc", &at_degc, SetPointRange(station))) stimulus.at_degc = at_degc;
+  const std::optional<What> what = ReadWhat(&reader, station);
   reader.RefuseOtherKeys();
   if (reader.Has("at_s") == reader.Has("at_degc")) {
     reader.Complain("", "a stimulus starts either at_s or at_degc");
   }
-  if (tone.present()) stimulus.what = ReadTone(tone, station);
-  if (move.present()) stimulus.what = ReadMove(move);
-  if (tone.present() != move.present()) return stimulus;
-  reader.Complain("", "a stimulus holds either a tone or a move");
-  return std::nullopt;
+  if (!what) reader.Complain("", "a stimulus holds one tone, music, sweep, move or load");
+  if (!what) return std::nullopt;
+  stimulus.what = *what;
+  return stimulus;
 }
 
 }  // namespace

@@ -31,20 +31,24 @@ const std::vector<Check>& Checks() {
   const Range decision = Range::Between(1, 41), count = Range::Between(0, 1e6);
   const Argument from{"from_degc", kNumber, true, degc, {}};
   const Argument to{"to_degc", kNumber, true, degc, {}};
-  const Argument within{"within_mdps", kNumber, true, Range::Positive(1e6), {}};
+  const Argument within{"within_mdps", kNumber, true, Range::Between(0.001, 1e6), {}};
   static const std::vector<Check> checks = {
       {"table_coverage",
        {from,
         to,
         {"step_degc", kNumber, true, Range::Between(0.1, 50), {}},
-        {"min_pct", kNumber, true, Range::Positive(100), {}}}},
+        {"min_pct", kNumber, true, Range::Between(1, 100), {}}}},
       {"table_accuracy", {from, to, within}},
       {"granularity", {from, to, {"within_degc", kNumber, true, Range::Between(0.1, 200), {}}}},
       {"up_down", {within}},
       {"rejects",
        {{"codes", kCodes, false, code, {}},
         {"code", kCount, false, code, {}},
-        {"during", kText, false, {}, {"tone", "move", "tap", "rotate", "vibrate", "hand_held"}},
+        {"during",
+         kText,
+         false,
+         {},
+         {"tone", "music", "sweep", "move", "tap", "rotate", "vibrate", "hand_held"}},
         {"at_least", kCount, false, Range::Between(1, 1e6), {}}}},
       {"decides",
        {{"codes", kCodes, false, decision, {}},

@@ -5,6 +5,7 @@
 #include "core/toml_reader.h"
 #include "rig/profile/actions.h"
 #include "rig/profile/expectations.h"
+#include "rig/profile/plan.h"
 #include "rig/profile/profile.h"
 
 namespace zrobench {
@@ -43,8 +44,23 @@ void CheckNeeds(const Needs& needs, const Action& action, TableReader reader) {
   }
 }
 
+/// Every step alone may be short enough; together they end, too.
+void CheckLength(const Profile& profile, const Station& station, const std::vector<Place>& places,
+                 Diagnostics* diagnostics) {
+  constexpr double kLongest_s = 7 * 86400.0;
+  const std::vector<double> ends_s = StepEndsS(profile, station.model.ambient_degc);
+  for (std::size_t i = 0; i < profile.steps.size(); ++i) {
+    if (ends_s[i + 1] <= kLongest_s) continue;
+    diagnostics->Add(places[i], fmt::format("with this step the profile takes {:.1f} days or more; "
+                                            "seven are the most",
+                                            ends_s[i + 1] / 86400));
+    return;
+  }
+}
+
 void ReadSteps(TableReader* file, const Station& station, Profile* profile) {
   std::optional<double> degc;  // last set point, unknown before the first
+  std::vector<Place> places;
   for (TableReader& reader : file->Tables("step")) {
     const std::size_t errors = file->diagnostics()->size();
     std::optional<Action> action = ReadAction(&reader, station);
@@ -58,7 +74,9 @@ void ReadSteps(TableReader* file, const Station& station, Profile* profile) {
     CheckNeeds(profile->needs, *action, reader);
     if (SetPointOf(*action)) degc = SetPointOf(*action);
     profile->steps.push_back({*action, std::move(with), reader.place().line});
+    places.push_back(reader.place());
   }
+  CheckLength(*profile, station, places, file->diagnostics());
 }
 
 void ReadFile(TableReader file, const Station& station, Profile* profile) {

@@ -1,5 +1,6 @@
 #include "rig/profile/plan.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace zrobench {
@@ -34,18 +35,37 @@ struct Timer {
   }
   double operator()(const Hold& hold) const { return hold.for_s; }
   double operator()(const Tone& tone) const { return tone.for_s; }
+  double operator()(const Music& music) const { return music.for_s; }
+  double operator()(const Sweep& sweep) const { return sweep.for_s; }
+  double operator()(const Load& load) const { return load.for_s; }
   double operator()(const Move& move) const { return move.for_s; }
   double operator()(const DateStep&) const { return 0; }
   double operator()(const PowerCycle& cycle) const { return cycle.off_s + kBootS; }
 };
 
+/// Until the last of them is over; those that wait for a temperature come while the step lasts.
+double LastsS(const std::vector<Stimulus>& stimuli) {
+  double end_s = 0;
+  for (const Stimulus& stimulus : stimuli) {
+    const double lasts_s = std::visit([](const auto& what) { return what.for_s; }, stimulus.what);
+    end_s = std::max(end_s, stimulus.at_s.value_or(0) + lasts_s);
+  }
+  return end_s;
+}
+
 }  // namespace
 
 double NominalDurationS(const Profile& profile, double start_degc) {
+  return StepEndsS(profile, start_degc).back();
+}
+
+std::vector<double> StepEndsS(const Profile& profile, double start_degc) {
   Timer timer{start_degc};
-  double sum_s = 0;
-  for (const Step& step : profile.steps) sum_s += std::visit(timer, step.action);
-  return sum_s;
+  std::vector<double> ends_s = {0};
+  for (const Step& step : profile.steps) {
+    ends_s.push_back(ends_s.back() + std::max(std::visit(timer, step.action), LastsS(step.with)));
+  }
+  return ends_s;
 }
 
 }  // namespace zrobench

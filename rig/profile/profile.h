@@ -33,12 +33,30 @@ struct PowerCycle {
 struct DateStep {
   double advance_days = 0;
 };  ///< wall time jumps; only a simulated bench can
-using Action = std::variant<Soak, Ramp, Hold, Tone, Move, PowerCycle, DateStep>;
+/// Noise, flat from low_hz to high_hz, in louder and softer passages; spl_db (and v, rms) is that
+/// of the loud ones.
+struct Music {
+  double low_hz = 0, high_hz = 0, v = 0, spl_db = 0, for_s = 0;
+};
+/// Tones from from_hz to to_hz (up or down), one every step_hz, each for dwell_s.
+struct Sweep {
+  double from_hz = 0, to_hz = 0, step_hz = 0, v = 0, spl_db = 0, dwell_s = 0;
+  double for_s = 0;  ///< tones() times dwell_s
+  /// How many; a whole number.
+  double tones() const;
+  /// Frequency of the tone-th, from 0.
+  double HzOf(double tone) const;
+};
+/// The board works that hard and warms itself.
+struct Load {
+  double duty_pct = 0, for_s = 0;
+};
+using Action = std::variant<Soak, Ramp, Hold, Tone, Move, PowerCycle, DateStep, Music, Sweep, Load>;
 
-/// A tone or a move during a step; starts at a time in the step or when the board passes a
-/// temperature (whichever is given).
+/// Something during a step; starts at a time in the step or when the board passes a temperature
+/// (whichever is given).
 struct Stimulus {
-  std::variant<Tone, Move> what;
+  std::variant<Tone, Move, Music, Sweep, Load> what;
   std::optional<double> at_s, at_degc;
 };
 

@@ -50,6 +50,7 @@ struct PlateItem {
 struct SpeakerItem {
   std::uint64_t at_us = 0;
   double hz = 0, v = 0, spl_db = 0;
+  double band_hz = 0;  ///< 0 = a sine; else noise of that width about hz
 };
 /// Means over the second that ends at `at_us`, in units.
 struct MeanItem {
@@ -76,13 +77,15 @@ struct EventItem {
     kRunStart = 0,   ///< text = profile name, a = number of steps
     kStepBegin = 1,  ///< step = index, text = "ramp to 45 degc"
     kStepEnd = 2,
-    kStimulusBegin = 3,  ///< text = "tone" | "move hand_held", a = hz, b = spl_db
+    kStimulusBegin = 3,  ///< text = "tone" | "music 24000-34000 Hz" | "sweep ..." |
+                         ///< "move hand_held", a = hz (of a tone), b = spl_db
     kStimulusEnd = 4,
     kPower = 5,  ///< a = 0 off, 1 on
     kSettled = 6,
     kAlarm = 7,  ///< the rig is at fault; text says what
     kNote = 8,
     kRunEnd = 9,  ///< text = why
+    kLoad = 10,   ///< the board warms itself from here on, a = duty_pct; 0 = no more
   };
   std::uint64_t at_us = 0;
   Kind kind = Kind::kNote;

@@ -84,7 +84,8 @@ struct ItemLayout<SpeakerItem> {
   static constexpr std::tuple kFields = {ItemField{&SpeakerItem::at_us, "timestamp", "us"},
                                          ItemField{&SpeakerItem::hz, "tone_hz", "Hz"},
                                          ItemField{&SpeakerItem::v, "tone_v", "V rms"},
-                                         ItemField{&SpeakerItem::spl_db, "tone_spl_db", "dB SPL"}};
+                                         ItemField{&SpeakerItem::spl_db, "tone_spl_db", "dB SPL"},
+                                         ItemField{&SpeakerItem::band_hz, "tone_band_hz", "Hz"}};
 };
 template <>
 struct ItemLayout<MeanItem> {

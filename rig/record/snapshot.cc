@@ -92,6 +92,7 @@ void Reduce(RunSnapshot& s, const SpeakerItem& item) {
   s.tone_hz = item.hz;
   s.tone_v = item.v;
   s.tone_spl_db = item.spl_db;
+  s.tone_band_hz = item.band_hz;
 }
 
 void Reduce(RunSnapshot& s, const MeanItem& item) {
@@ -136,6 +137,9 @@ void Reduce(RunSnapshot& s, const EventItem& item) {
       break;
     case EventItem::Kind::kPower:
       s.powered = item.a != 0;
+      break;
+    case EventItem::Kind::kLoad:
+      s.load_pct = item.a;
       break;
     case EventItem::Kind::kAlarm:
       ++s.alarm_count;

@@ -47,7 +47,8 @@ struct RunSnapshot {
   // rig
   double setpoint_degc = 0, plate_degc = 0, drive_pct = 0, ambient_degc = 0;
   bool plate_seen = false;
-  double tone_hz = 0, tone_v = 0, tone_spl_db = 0;
+  double tone_hz = 0, tone_v = 0, tone_spl_db = 0, tone_band_hz = 0;
+  double load_pct = 0;  ///< how hard the board works to warm itself
   bool powered = true;
   std::vector<std::string> stimuli;  ///< open now
   std::uint64_t stimulus_ended_us = 0;

@@ -39,11 +39,11 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(AlarmNote, at_us, text)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE_WITH_DEFAULT(
     RunSnapshot, profile, step, step_count, step_text, at_us, step_began_us, ended, end_text,
     setpoint_degc, plate_degc, drive_pct, ambient_degc, plate_seen, tone_hz, tone_v, tone_spl_db,
-    powered, stimuli, stimulus_ended_us, stimulus_seen, alarms, alarm_count, samples, lost, imu_hz,
-    imu_degc, imu_degc_seen, raw_dps, rate_dps, correction_dps, still, learning, vibration, boots,
-    table, table_generation, table_crc32, table_seen, rejections, expected_rejections,
-    unexpected_rejections, decisions, damaged_log_records, rate_from_us, rate_samples, last_seq,
-    seq_known)
+    tone_band_hz, load_pct, powered, stimuli, stimulus_ended_us, stimulus_seen, alarms, alarm_count,
+    samples, lost, imu_hz, imu_degc, imu_degc_seen, raw_dps, rate_dps, correction_dps, still,
+    learning, vibration, boots, table, table_generation, table_crc32, table_seen, rejections,
+    expected_rejections, unexpected_rejections, decisions, damaged_log_records, rate_from_us,
+    rate_samples, last_seq, seq_known)
 
 namespace {
 

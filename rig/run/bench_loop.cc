@@ -132,7 +132,7 @@ Flow BenchLoop::RefuseCondensation(double degc) const {
 
 Flow BenchLoop::CheckStop() const {
   const int level = stop_.level.load(std::memory_order_relaxed);
-  const bool safe_point = !stimuli_.playing() && !silence_expected_;
+  const bool safe_point = !stimuli_.provoking() && !silence_expected_;
   if (level >= 2 || (level == 1 && safe_point)) {
     return Stop(Halt::Why::kInterrupted, "stopped on request");
   }

@@ -11,6 +11,7 @@ struct Halt {
     kInterrupted,  ///< a person asked (SIGINT, SIGTERM)
     kRigFault,     ///< an instrument or its link failed
     kSafetyTrip,   ///< a limit was passed: the bench was made safe on purpose
+    kUnfit,        ///< the board lacks what the profile asks of it: nothing has moved
     kInternal,     ///< a bug of this program: an exception came out of the sequence
   };
   Why why = Why::kRigFault;

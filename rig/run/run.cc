@@ -61,9 +61,12 @@ Flow Drive(const RunRequest& request, Instruments& instruments, Recorder& record
 /// What a halted run did not show cannot be held against the device.
 void ExcuseTheDevice(const Halt& halt, std::vector<CheckResult>& checks) {
   const bool rig = halt.why == Halt::Why::kRigFault;
+  const char* const how = rig                             ? "rig fault: "
+                          : halt.why == Halt::Why::kUnfit ? "skipped: "
+                                                          : "the run ended early: ";
   for (CheckResult& check : checks) {
     check.verdict = rig ? Verdict::kRigError : Verdict::kInconclusive;
-    check.reason = (rig ? "rig fault: " : "the run ended early: ") + halt.text;
+    check.reason = how + halt.text;
   }
 }
 
@@ -135,6 +138,7 @@ int ExitCode(const std::vector<CheckResult>& checks, const Flow& flow, int signa
   if (!flow && flow.error().why == Halt::Why::kInterrupted) return signal != 0 ? 128 + signal : 130;
   if (!flow && flow.error().why == Halt::Why::kInternal) return 70;
   if (!flow && flow.error().why == Halt::Why::kSafetyTrip) return 6;
+  if (!flow && flow.error().why == Halt::Why::kUnfit) return 4;
   if (!flow) return 3;
   const Verdict verdict = Overall(checks);
   if (verdict == Verdict::kRigError) return 3;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 
 #include "rig/run/evidence.h"
@@ -96,7 +97,21 @@ Flow Sequencer::Begin() {
     if (auto flow = loop_.Tick(); !flow) return flow;
   } while (!loop_.bench().board.status().alive);
   loop_.ExpectBoot(false);
-  return KnowTheStart();
+  Flow known = KnowTheStart();
+  return known ? FindLoad() : known;
+}
+
+Flow Sequencer::FindLoad() {
+  const auto loads = [](const Step& step) {
+    return std::holds_alternative<Load>(step.action) ||
+           std::any_of(step.with.begin(), step.with.end(), [](const Stimulus& stimulus) {
+             return std::holds_alternative<Load>(stimulus.what);
+           });
+  };
+  if (std::none_of(profile_.steps.begin(), profile_.steps.end(), loads)) return {};
+  const Status none = loop_.bench().board.SetLoad(0, loop_.now() + FromSeconds(kAliveTimeout_s));
+  if (none || none.error().kind != Error::Kind::kRefused) return FromStatus(none);
+  return Stop(Halt::Why::kUnfit, "this board cannot load itself (" + none.error().message + ")");
 }
 
 Flow Sequencer::KnowTheStart() {

@@ -17,6 +17,8 @@ class Sequencer {
  private:
   Flow Begin();
   Flow KnowTheStart();
+  /// Ends a run that needs a load before anything moves, where the board has none.
+  Flow FindLoad();
   Flow RunSteps();
   Flow FinishStimuli();
   Flow End();

@@ -28,6 +28,17 @@ struct Describer {
   std::string operator()(const Tone& t) const {
     return fmt::format("tone {:g} Hz {:.0f} dB SPL for {:g} s", t.hz, t.spl_db, t.for_s);
   }
+  std::string operator()(const Music& m) const {
+    return fmt::format("music {:g} to {:g} Hz {:.0f} dB SPL for {:g} s", m.low_hz, m.high_hz,
+                       m.spl_db, m.for_s);
+  }
+  std::string operator()(const Sweep& s) const {
+    return fmt::format("sweep {:g} to {:g} Hz {:.0f} dB SPL, {:g} tones for {:g} s", s.from_hz,
+                       s.to_hz, s.spl_db, s.tones(), s.for_s);
+  }
+  std::string operator()(const Load& l) const {
+    return fmt::format("load {:g} % for {:g} s", l.duty_pct, l.for_s);
+  }
   std::string operator()(const Move& m) const {
     return fmt::format("move {} for {:g} s", m.how, m.for_s);
   }
@@ -104,6 +115,18 @@ Flow RunStep(BenchLoop& loop, const Tone& tone) {
 
 Flow RunStep(BenchLoop& loop, const Move& move) {
   return PlayAlone(loop, {move, std::nullopt, std::nullopt});
+}
+
+Flow RunStep(BenchLoop& loop, const Music& music) {
+  return PlayAlone(loop, {music, std::nullopt, std::nullopt});
+}
+
+Flow RunStep(BenchLoop& loop, const Sweep& sweep) {
+  return PlayAlone(loop, {sweep, std::nullopt, std::nullopt});
+}
+
+Flow RunStep(BenchLoop& loop, const Load& load) {
+  return PlayAlone(loop, {load, std::nullopt, std::nullopt});
 }
 
 Flow RunStep(BenchLoop& loop, const PowerCycle& cycle) {

@@ -14,6 +14,9 @@ Flow RunStep(BenchLoop& loop, const Tone& tone);
 Flow RunStep(BenchLoop& loop, const Move& move);
 Flow RunStep(BenchLoop& loop, const PowerCycle& cycle);
 Flow RunStep(BenchLoop& loop, const DateStep& date);
+Flow RunStep(BenchLoop& loop, const Music& music);
+Flow RunStep(BenchLoop& loop, const Sweep& sweep);
+Flow RunStep(BenchLoop& loop, const Load& load);
 
 /// "ramp to 42 degC at 4 degC/min": for records and progress.
 std::string DescribeStep(const Action& action);

@@ -1,5 +1,7 @@
 #include "rig/run/stimulus_player.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace zrobench {
@@ -11,16 +13,42 @@ double Length_s(const Stimulus& stimulus) {
   return std::visit([](const auto& what) { return what.for_s; }, stimulus.what);
 }
 
-EventItem Describe(const Stimulus& stimulus, EventItem::Kind kind) {
-  EventItem event{.kind = kind};
-  if (const auto* tone = std::get_if<Tone>(&stimulus.what)) {
-    event.text = "tone";
-    event.a = tone->hz;
-    event.b = tone->spl_db;
-  } else {
-    event.text = "move " + std::get<Move>(stimulus.what).how;
+struct Describer {
+  EventItem event;
+  EventItem operator()(const Tone& tone) {
+    event.a = tone.hz;
+    event.b = tone.spl_db;
+    return Named("tone");
   }
-  return event;
+  EventItem operator()(const Music& music) {
+    event.b = music.spl_db;
+    return Named(fmt::format("music {:g}-{:g} Hz", music.low_hz, music.high_hz));
+  }
+  EventItem operator()(const Sweep& sweep) {
+    event.b = sweep.spl_db;
+    return Named(fmt::format("sweep {:g}-{:g} Hz", sweep.from_hz, sweep.to_hz));
+  }
+  EventItem operator()(const Move& move) { return Named("move " + move.how); }
+  EventItem operator()(const Load& load) {
+    event.a = event.kind == EventItem::Kind::kStimulusBegin ? load.duty_pct : 0;
+    event.kind = EventItem::Kind::kLoad;
+    return Named("load");
+  }
+  EventItem Named(std::string text) {
+    event.text = std::move(text);
+    return event;
+  }
+};
+
+EventItem Describe(const Stimulus& stimulus, EventItem::Kind kind) {
+  return std::visit(Describer{{.kind = kind}}, stimulus.what);
+}
+
+bool IsLoad(const Stimulus& stimulus) { return std::holds_alternative<Load>(stimulus.what); }
+
+/// Whether both want the same instrument.
+bool Share(const Stimulus& a, const Stimulus& b) {
+  return a.what.index() == b.what.index() || (Sounds(a) && Sounds(b));
 }
 
 }  // namespace
@@ -34,6 +62,12 @@ void StimulusPlayer::Schedule(const std::vector<Stimulus>& stimuli) {
 bool StimulusPlayer::playing() const {
   return std::any_of(slots_.begin(), slots_.end(),
                      [](const Slot& s) { return s.state == Slot::State::kPlaying; });
+}
+
+bool StimulusPlayer::provoking() const {
+  return std::any_of(slots_.begin(), slots_.end(), [](const Slot& s) {
+    return s.state == Slot::State::kPlaying && !IsLoad(s.stimulus);
+  });
 }
 
 int StimulusPlayer::waiting() const {
@@ -56,16 +90,19 @@ bool StimulusPlayer::Comes(Slot& slot, std::optional<double> board_degc) const {
 
 bool StimulusPlayer::Busy(const Slot& slot) const {
   return std::any_of(slots_.begin(), slots_.end(), [&](const Slot& s) {
-    return s.state == Slot::State::kPlaying &&
-           s.stimulus.what.index() == slot.stimulus.what.index();
+    return s.state == Slot::State::kPlaying && Share(s.stimulus, slot.stimulus);
   });
 }
 
 Status StimulusPlayer::Update(std::optional<double> board_degc) {
   using enum Slot::State;
   for (Slot& slot : slots_) {
-    if (slot.state != kPlaying || bench_.clock.now() < slot.until) continue;
-    if (Status ended = End(slot); !ended) return ended;
+    if (slot.state != kPlaying) continue;
+    if (bench_.clock.now() < slot.until) {
+      if (Status sung = Sing(slot); !sung) return sung;
+    } else if (Status ended = End(slot); !ended) {
+      return ended;
+    }
   }
   for (Slot& slot : slots_) {
     if (slot.state == kWaiting && Comes(slot, board_degc)) slot.state = kDue;
@@ -75,36 +112,60 @@ Status StimulusPlayer::Update(std::optional<double> board_degc) {
   return {};
 }
 
-Status StimulusPlayer::Begin(Slot& slot) {
-  slot.state = Slot::State::kOver;  // until it plays: what fails or is skipped is not tried again
-  const Instant now = bench_.clock.now();
-  const Stimulus& stimulus = slot.stimulus;
+Status StimulusPlayer::Start(const Stimulus& stimulus) {
   if (const auto* move = std::get_if<Move>(&stimulus.what)) {
-    const Status moved = bench_.hand
-                             ? bench_.hand->StartMove(move->how, FromSeconds(move->for_s))
-                             : Fail(Error::Kind::kRefused, "nobody is there to move the board");
-    if (!moved && moved.error().kind != Error::Kind::kRefused) return moved;
-    if (!moved) {
-      log_.Alarm("move " + move->how + " skipped: " + moved.error().message);
-      return {};
-    }
+    return bench_.hand ? bench_.hand->StartMove(move->how, FromSeconds(move->for_s))
+                       : Fail(Error::Kind::kRefused, "nobody is there to move the board");
   }
-  // Recorded before the sound starts: the stimulus is never shorter than the record says.
-  log_.WriteEvent(Describe(stimulus, EventItem::Kind::kStimulusBegin));
-  slot.state = Slot::State::kPlaying;
-  slot.until = now + FromSeconds(Length_s(stimulus));
-  if (const auto* tone = std::get_if<Tone>(&stimulus.what)) {
-    if (Status on = bench_.speaker.SetTone(tone->hz, tone->v, now + kDeadline); !on) return on;
-    log_.Write(SpeakerItem{log_.now_us(), tone->hz, tone->v, tone->spl_db});
+  if (const auto* load = std::get_if<Load>(&stimulus.what)) {
+    return bench_.board.SetLoad(load->duty_pct, bench_.clock.now() + kDeadline);
+  }
+  if (std::holds_alternative<Music>(stimulus.what) && !bench_.speaker.plays_music()) {
+    return Fail(Error::Kind::kRefused, "this generator knows sines only");
   }
   return {};
 }
 
+Status StimulusPlayer::Sing(Slot& slot) {
+  const Instant now = bench_.clock.now();
+  const Sound sound = SoundAt(slot.stimulus, ToSeconds(now - slot.from));
+  if (sound == slot.sound) return {};
+  const double half_hz = sound.band_hz / 2;
+  const Status on = sound.band_hz > 0
+                        ? bench_.speaker.SetMusic(sound.hz - half_hz, sound.hz + half_hz, sound.v,
+                                                  now + kDeadline)
+                        : bench_.speaker.SetTone(sound.hz, sound.v, now + kDeadline);
+  if (!on) return on;
+  slot.sound = sound;
+  log_.Write(SpeakerItem{log_.now_us(), sound.hz, sound.v, sound.spl_db, sound.band_hz});
+  return {};
+}
+
+Status StimulusPlayer::Begin(Slot& slot) {
+  slot.state = Slot::State::kOver;  // until it plays: what fails or is skipped is not tried again
+  slot.from = bench_.clock.now();
+  slot.until = slot.from + FromSeconds(Length_s(slot.stimulus));
+  const EventItem begin = Describe(slot.stimulus, EventItem::Kind::kStimulusBegin);
+  if (const Status started = Start(slot.stimulus); !started) {
+    if (started.error().kind != Error::Kind::kRefused) return started;
+    log_.Alarm(begin.text + " skipped: " + started.error().message);
+    return {};
+  }
+  // Recorded before the sound starts: the stimulus is never shorter than the record says.
+  log_.WriteEvent(begin);
+  slot.state = Slot::State::kPlaying;
+  return Sing(slot);
+}
+
 Status StimulusPlayer::End(Slot& slot) {
   slot.state = Slot::State::kOver;
-  if (std::holds_alternative<Tone>(slot.stimulus.what)) {
-    if (Status off = bench_.speaker.Mute(bench_.clock.now() + kDeadline); !off) return off;
+  const Instant deadline = bench_.clock.now() + kDeadline;
+  if (Sounds(slot.stimulus)) {
+    if (Status off = bench_.speaker.Mute(deadline); !off) return off;
     log_.Write(SpeakerItem{log_.now_us(), 0, 0, 0});
+  }
+  if (IsLoad(slot.stimulus)) {
+    if (Status off = bench_.board.SetLoad(0, deadline); !off) return off;
   }
   log_.WriteEvent(Describe(slot.stimulus, EventItem::Kind::kStimulusEnd));
   return {};

@@ -1,12 +1,14 @@
 #pragma once
-// Plays tones and moves during a step, each from its time or temperature on, and records when. A
-// tone and a move may overlap; two of a kind follow each other: there is one speaker and one hand.
+// Plays sounds, moves and loads during a step, each from its time or temperature on, and records
+// when. Those of different instruments may overlap; two of one follow each other: there is one
+// speaker, one hand and one board.
 #include <optional>
 #include <vector>
 
 #include "rig/profile/profile.h"
 #include "rig/run/bench.h"
 #include "rig/run/run_log.h"
+#include "rig/run/stimulus_sound.h"
 
 namespace zrobench {
 
@@ -22,6 +24,8 @@ class StimulusPlayer {
   /// the temperature passes it in either direction.
   Status Update(std::optional<double> board_degc);
   bool playing() const;
+  /// Something plays that a stop on request had better wait for: all but loads.
+  bool provoking() const;
   /// How many have not begun yet.
   int waiting() const;
   /// Ends those that play (a stop on request); the first failure.
@@ -33,12 +37,18 @@ class StimulusPlayer {
     Stimulus stimulus;
     State state = State::kWaiting;
     std::optional<bool> was_below = std::nullopt;  ///< board below at_degc when last looked
-    Instant until = {};
+    Instant from = {}, until = {};
+    Sound sound = {};  ///< as last set
   };
 
   bool Comes(Slot& slot, std::optional<double> board_degc) const;
   bool Busy(const Slot& slot) const;
   Status Begin(Slot& slot);
+  /// What is to be done before a stimulus is recorded as begun. kRefused where an instrument
+  /// cannot.
+  Status Start(const Stimulus& stimulus);
+  /// Lets the speaker play what is due now.
+  Status Sing(Slot& slot);
   Status End(Slot& slot);
 
   Bench& bench_;

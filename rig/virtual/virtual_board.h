@@ -23,6 +23,9 @@ class VirtualBoard {
   void PowerOff();
   bool on() const { return node_.has_value(); }
 
+  /// How hard the board works, 0..100 %; 0 while off.
+  double load_pct() const { return on() ? node_->load_pct() : 0; }
+
   /// When the next sample is due; Instant::max() while off.
   Instant next_sample() const { return next_sample_; }
   /// Samples the sensors (due at next_sample()) and lets the node work.

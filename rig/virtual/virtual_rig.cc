@@ -42,17 +42,25 @@ class VirtualSpeaker final : public Speaker {
   explicit VirtualSpeaker(World& world) : world_(world) {}
 
   Status SetTone(double hz, double v, Instant) override {
-    const StationLimits& limits = world_.station().limits;
-    if (!(hz >= limits.min_tone_hz && hz <= limits.max_tone_hz && v >= 0 &&
-          v <= limits.max_tone_v)) {
+    if (!Allowed(hz, v)) {
       return Fail(Error::Kind::kLimit,
                   fmt::format("speaker: {} Hz at {} V is outside its limits", hz, v));
     }
     world_.SetTone(hz, v);
     return {};
   }
+  bool plays_music() const override { return true; }
+  Status SetMusic(double low_hz, double high_hz, double v, Instant) override {
+    if (!Allowed(low_hz, v) || !Allowed(high_hz, v) || !(low_hz < high_hz)) {
+      return Fail(Error::Kind::kLimit, fmt::format("speaker: {} to {} Hz at {} V is outside its "
+                                                   "limits",
+                                                   low_hz, high_hz, v));
+    }
+    world_.SetTone((low_hz + high_hz) / 2, v, high_hz - low_hz);
+    return {};
+  }
   Result<State> Read(Instant) override {
-    return State{world_.tone_hz(), world_.tone_v(), world_.tone_v() > 0};
+    return State{world_.tone_hz(), world_.tone_v(), world_.tone_v() > 0, world_.tone_band_hz()};
   }
   Status Mute(Instant) override {
     world_.SetTone(0, 0);
@@ -60,6 +68,11 @@ class VirtualSpeaker final : public Speaker {
   }
 
  private:
+  bool Allowed(double hz, double v) const {
+    const StationLimits& limits = world_.station().limits;
+    return hz >= limits.min_tone_hz && hz <= limits.max_tone_hz && v >= 0 && v <= limits.max_tone_v;
+  }
+
   World& world_;
 };
 

@@ -41,6 +41,8 @@ void World::Run(Instant t) {
 void World::RunHeat() {
   const double dt_s = ToSeconds(kHeatStep);
   inputs_.drive_pct = controller_.Step(PlateSensor_degc(), dt_s);
+  inputs_.powered = board_.on();
+  inputs_.load_pct = board_.load_pct();
   model_.AdvanceHeat(dt_s, inputs_);
   next_heat_ += kHeatStep;
 }
@@ -74,9 +76,10 @@ double World::PlateSensor_degc() const {
                            station_.model.plate.resolution_degc);
 }
 
-void World::SetTone(double hz, double v) {
+void World::SetTone(double hz, double v, double band_hz) {
   tone_v_ = v;
   inputs_.tone_hz = hz;
+  inputs_.tone_band_hz = band_hz;
   inputs_.tone_pa = v * station_.model.speaker.pa_per_v;
 }
 

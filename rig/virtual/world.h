@@ -26,8 +26,10 @@ class World final : public Simulation {
   const VirtualClock& clock() const { return clock_; }
 
   double PlateSensor_degc() const;
-  void SetTone(double hz, double v);
+  /// `band_hz`: 0 = a sine, else noise of that width about `hz`.
+  void SetTone(double hz, double v, double band_hz = 0);
   double tone_hz() const { return inputs_.tone_hz; }
+  double tone_band_hz() const { return inputs_.tone_band_hz; }
   double tone_v() const { return tone_v_; }
   void SetPower(bool on);
   void StartMove(MotionKind kind, Duration duration);

@@ -105,7 +105,8 @@ Measurement WritesDuringStimuli(const Evidence& evidence) {
     const std::uint64_t from = decision.at_us - std::min(decision.at_us, kReading_us);
     const bool corrupt =
         std::any_of(evidence.stimuli.begin(), evidence.stimuli.end(), [&](const Interval& i) {
-          return i.kind != "off" &&
+          // Most tones of a sweep do nothing: what it spoiled is seen by its error alone.
+          return i.kind != "off" && !i.Is("sweep") &&
                  i.Overlaps(from + kGraze_us, std::max(decision.at_us, kGraze_us) - kGraze_us);
         });
     m.value += corrupt ? 1 : 0;

@@ -97,6 +97,17 @@ TEST_F(CanImuBoardTest, RestoreFactoryLeavesTheFactorysEntries) {
   EXPECT_EQ(snapshot->table[0].origin, zro::Origin::kFactory);
 }
 
+TEST_F(CanImuBoardTest, LoadComesAndGoesAndLeavesTheBoardLocked) {
+  ASSERT_TRUE(board_.SetLoad(60, In(1s)));
+  EXPECT_EQ(world_.node->load_pct(), 60);
+  ASSERT_TRUE(board_.SetLoad(0, In(1s)));
+  EXPECT_EQ(world_.node->load_pct(), 0);
+  EXPECT_EQ(zro::GetU32(board_.sdo().Upload(0x2101, 1, In(1s))->data()), 0u) << "locked";
+  const Status absurd = board_.SetLoad(101, In(1s));
+  ASSERT_FALSE(absurd);
+  EXPECT_EQ(absurd.error().kind, Error::Kind::kRefused);
+}
+
 TEST_F(CanImuBoardTest, DateReachesNewEntries) {
   ASSERT_TRUE(board_.SendDate(clock_.utc()));
   Let(60s);

@@ -43,7 +43,7 @@ class ObjectsTest : public testing::Test {
 
 TEST_F(ObjectsTest, EverySubZeroGivesTheHighestSub) {
   const std::pair<int, unsigned> kHighest[] = {{0x1010, 4}, {0x1018, 4}, {0x2000, 10}, {0x2004, 2},
-                                               {0x2100, 9}, {0x2101, 2}, {0x2200, 6}};
+                                               {0x2100, 9}, {0x2101, 6}, {0x2200, 6}};
   for (const auto& [index, highest] : kHighest) {
     const SdoMsg reply = board_.Read(static_cast<std::uint16_t>(index), 0);
     EXPECT_EQ(reply.cmd, 0x4F);
@@ -189,6 +189,34 @@ TEST_F(ObjectsTest, TestModesEndWithTheRigsHeartbeat) {
   EXPECT_EQ(board_.Read(0x2101, 1).data, 1u);
   board_.Run(1);
   EXPECT_EQ(board_.Read(0x2101, 1).data, 0u);
+}
+
+TEST_F(ObjectsTest, LoadNeedsTheKeyIsAShareAndEndsWithTheLockOrTheHeartbeat) {
+  EXPECT_EQ(Write(0x2101, 6, 40, 1), 0x08000022u) << "locked";
+  Write(0x2101, 1, TestModes::kKey, 4);
+  EXPECT_EQ(Write(0x2101, 6, 101, 1), 0x06090030u);
+  EXPECT_EQ(board_.node.load_pct(), 0);
+  EXPECT_EQ(Write(0x2101, 6, 40, 1), 0u);
+  EXPECT_EQ(board_.node.load_pct(), 40);
+  EXPECT_EQ(board_.Read(0x2101, 6).data & 0xFF, 40u);
+  Write(0x2101, 1, 0, 4);
+  EXPECT_EQ(board_.node.load_pct(), 0);
+  Write(0x2101, 1, TestModes::kKey, 4);
+  Write(0x2101, 6, 40, 1);
+  board_.Run(301);
+  EXPECT_EQ(board_.node.load_pct(), 0) << "the rig fell silent for 1.5 s";
+}
+
+TEST_F(ObjectsTest, UnderLoadTheCorrectorGoesOnLearning) {
+  Write(0x2101, 1, TestModes::kKey, 4);
+  Write(0x2101, 6, 100, 1);
+  for (int s = 0; s < 20; ++s) {
+    board_.node.OnFrame(Encode(HeartbeatMsg{HeartbeatMsg::kRigId, kStateOperational}));
+    board_.Run(200);
+  }
+  EXPECT_EQ(board_.node.load_pct(), 100);
+  EXPECT_FALSE(board_.sink.All<RateMsg>().back().test_mode);
+  EXPECT_GE(board_.node.corrector().table().size(), 1);
 }
 
 TEST_F(ObjectsTest, LearningIsRefusedInATestMode) {

@@ -34,12 +34,25 @@ struct FakePlate final : ThermalPlate {
 };
 
 struct FakeSpeaker final : Speaker {
-  double hz = 0, v = 0;
+  double hz = 0, v = 0, band_hz = 0;
   bool throws = false;
+  bool sines_only = false;
+  std::vector<double> played_hz, played_v;  ///< every change
   Status SetTone(double tone_hz, double tone_v, Instant) override {
     if (throws) throw std::logic_error("contract broken: speaker");
     hz = tone_hz;
     v = tone_v;
+    band_hz = 0;
+    played_hz.push_back(hz);
+    return {};
+  }
+  bool plays_music() const override { return !sines_only; }
+  Status SetMusic(double low_hz, double high_hz, double music_v, Instant deadline) override {
+    if (sines_only) return Speaker::SetMusic(low_hz, high_hz, music_v, deadline);
+    hz = (low_hz + high_hz) / 2;
+    band_hz = high_hz - low_hz;
+    v = music_v;
+    played_v.push_back(v);
     return {};
   }
   Result<State> Read(Instant) override { return State{hz, v, v > 0}; }
@@ -76,6 +89,8 @@ struct FakeBoard final : ImuBoard {
   std::uint32_t generation = 1;
   std::uint32_t forget_at_boots = 0;  ///< its table changes with each of so many boots
   int dates = 0;
+  bool loads = true;  ///< has a load of its own
+  double load_pct = 0;
 
   void Boot() {
     ++state.boots_seen;
@@ -112,6 +127,11 @@ struct FakeBoard final : ImuBoard {
   }
   Status StoreTable(Instant) override { return {}; }
   Status RestoreFactory(Instant) override { return {}; }
+  Status SetLoad(double pct, Instant) override {
+    if (!loads) return Fail(Error::Kind::kRefused, "object 0x2101:6: no such sub-index");
+    load_pct = pct;
+    return {};
+  }
   Status DownloadFactoryEntry(double, const std::array<double, 3>&, double, Instant) override {
     return {};
   }

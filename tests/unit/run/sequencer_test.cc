@@ -198,6 +198,44 @@ TEST_F(SequencerTest, AnInterruptWhileTheBoardIsOffLeavesItOn) {
   ExpectSafe();
 }
 
+TEST_F(SequencerTest, SoundsAndLoadsAreStepsToo) {
+  const Flow flow = Execute({{Music{24000, 34000, 4, 106, 5}, {}, 1},
+                             {Sweep{100, 300, 100, 1, 94, 1, 3}, {}, 2},
+                             {Load{60, 7}, {}, 3}});
+  ASSERT_TRUE(flow) << flow.error().text;
+  EXPECT_THAT(Events(EventItem::Kind::kStepBegin),
+              ElementsAre("music 24000 to 34000 Hz 106 dB SPL for 5 s",
+                          "sweep 100 to 300 Hz 94 dB SPL, 3 tones for 3 s", "load 60 % for 7 s"));
+  EXPECT_NEAR(SecondsOf(clock_.now()), 15, 1.5);
+  EXPECT_EQ(board_.load_pct, 0);
+  ExpectSafe();
+}
+
+TEST_F(SequencerTest, ABoardWithoutALoadSkipsAProfileThatNeedsOneBeforeAnythingMoves) {
+  board_.loads = false;
+  for (const Step& load : {Step{Load{60, 7}, {}, 2}, Step{Hold{9}, {{Load{60, 7}, 1.0, {}}}, 2}}) {
+    const Flow flow = Execute({{Soak{40, 10, 0.3}, {}, 1}, load});
+    ASSERT_FALSE(flow);
+    EXPECT_EQ(flow.error().why, Why::kUnfit);
+    EXPECT_THAT(flow.error().text, HasSubstr("cannot load itself (object 0x2101:6"));
+    EXPECT_EQ(ExitCode({}, flow, 0), 4);
+    EXPECT_THAT(Events(EventItem::Kind::kStepBegin), ElementsAre());
+    ExpectSafe();
+  }
+  EXPECT_TRUE(Execute({{Hold{1}, {}, 1}}));
+}
+
+TEST_F(SequencerTest, OneRequestDoesNotWaitForALoad) {
+  Interrupter interrupter(stop_, 4, 1);
+  clock_.Attach(&interrupter);
+  const Flow flow = Execute({{Load{60, 500}, {}, 1}});
+  clock_.Attach(nullptr);
+  ASSERT_FALSE(flow);
+  EXPECT_EQ(flow.error().why, Why::kInterrupted);
+  EXPECT_LT(SecondsOf(clock_.now()), 6);
+  EXPECT_EQ(board_.load_pct, 0);
+}
+
 TEST(ExitCode, TheFirstThatAppliesWins) {
   const auto check = [](Verdict verdict) {
     return std::vector<CheckResult>{

@@ -92,5 +92,86 @@ TEST_F(StimulusPlayerTest, AbortEndsWhatPlaysOnRecord) {
   EXPECT_THAT(Events(EventItem::Kind::kStimulusEnd), ElementsAre("tone", "move tap"));
 }
 
+const Music kMusic{.low_hz = 24000, .high_hz = 34000, .v = 4, .spl_db = 106, .for_s = 16};
+const Sweep kSweep{.from_hz = 26900,
+                   .to_hz = 27100,
+                   .step_hz = 50,
+                   .v = 2,
+                   .spl_db = 100,
+                   .dwell_s = 0.5,
+                   .for_s = 2.5};
+
+TEST_F(StimulusPlayerTest, MusicChangesItsLoudnessAndEveryChangeIsOnRecord) {
+  player_.Add({kMusic, {}, {}});
+  for (int tick = 0; tick < 160; ++tick) {
+    ASSERT_TRUE(player_.Update({}));
+    EXPECT_TRUE(player_.playing());
+    EXPECT_EQ(speaker_.band_hz, 10000);
+    Pass(0.1);
+  }
+  ASSERT_TRUE(player_.Update({}));
+  EXPECT_FALSE(player_.playing());
+  EXPECT_EQ(speaker_.v, 0);
+  EXPECT_EQ(speaker_.played_v.size(), 8u);
+  const auto items = Recorded<SpeakerItem>();
+  ASSERT_EQ(items.size(), 9u);
+  EXPECT_EQ(items[0].band_hz, 10000);
+  EXPECT_EQ(items[0].hz, 29000);
+  EXPECT_EQ(items[0].spl_db, 106);
+  EXPECT_EQ(items[1].spl_db, 100);
+  EXPECT_EQ(items[8].v, 0);
+  EXPECT_THAT(Begun(), ElementsAre("music 24000-34000 Hz"));
+}
+
+TEST_F(StimulusPlayerTest, ASweepStepsThroughItsTones) {
+  player_.Add({kSweep, {}, {}});
+  for (int tick = 0; tick < 26; ++tick) {
+    ASSERT_TRUE(player_.Update({}));
+    Pass(0.1);
+  }
+  ASSERT_TRUE(player_.Update({}));
+  EXPECT_FALSE(player_.playing());
+  EXPECT_THAT(speaker_.played_hz, ElementsAre(26900, 26950, 27000, 27050, 27100));
+  EXPECT_THAT(Begun(), ElementsAre("sweep 26900-27100 Hz"));
+}
+
+TEST_F(StimulusPlayerTest, ThereIsOneSpeakerForAllThatSounds) {
+  player_.Schedule({{kTone, 0.0, {}}, {kSweep, 0.0, {}}, {kMusic, 0.0, {}}});
+  ASSERT_TRUE(player_.Update({}));
+  EXPECT_EQ(player_.waiting(), 2);
+  Pass(5);
+  ASSERT_TRUE(player_.Update({}));
+  EXPECT_EQ(speaker_.hz, 26900);
+  EXPECT_EQ(player_.waiting(), 1);
+}
+
+TEST_F(StimulusPlayerTest, AGeneratorOfSinesSkipsMusicAndSaysSo) {
+  speaker_.sines_only = true;
+  player_.Add({kMusic, {}, {}});
+  ASSERT_TRUE(player_.Update({}));
+  EXPECT_FALSE(player_.playing());
+  EXPECT_THAT(Begun(), ElementsAre());
+  EXPECT_THAT(Events(EventItem::Kind::kAlarm),
+              ElementsAre("music 24000-34000 Hz skipped: this generator knows sines only"));
+}
+
+TEST_F(StimulusPlayerTest, ALoadIsOnTheBoardForItsTimeIsNoProvocationAndIsOnRecord) {
+  player_.Schedule({{Load{60, 5}, 1.0, {}}});
+  ASSERT_TRUE(player_.Update({}));
+  EXPECT_EQ(board_.load_pct, 0);
+  Pass(1);
+  ASSERT_TRUE(player_.Update({}));
+  EXPECT_EQ(board_.load_pct, 60);
+  EXPECT_TRUE(player_.playing());
+  EXPECT_FALSE(player_.provoking());
+  EXPECT_EQ(log_->snapshot().load_pct, 60);
+  Pass(5);
+  ASSERT_TRUE(player_.Update({}));
+  EXPECT_EQ(board_.load_pct, 0);
+  EXPECT_EQ(log_->snapshot().load_pct, 0);
+  EXPECT_THAT(Events(EventItem::Kind::kLoad), ElementsAre("load", "load"));
+  EXPECT_THAT(Begun(), ElementsAre());
+}
+
 }  // namespace
 }  // namespace zrobench

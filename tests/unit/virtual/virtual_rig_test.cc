@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "corrector/node/codec.h"
+#include "corrector/node/test_modes.h"
 
 namespace zrobench {
 namespace {
@@ -154,6 +155,52 @@ TEST_F(VirtualRigTest, TheSameSeedGivesTheSameFrames) {
   const auto first = frames_of(7);
   EXPECT_EQ(first, frames_of(7));
   EXPECT_NE(first, frames_of(8));
+}
+
+TEST_F(VirtualRigTest, MusicIsPlayedWithinTheStationsLimits) {
+  Start();
+  EXPECT_TRUE(rig_->speaker().plays_music());
+  ASSERT_TRUE(rig_->speaker().SetMusic(24000, 34000, 2, Soon()));
+  const auto state = rig_->speaker().Read(Soon());
+  ASSERT_TRUE(state);
+  EXPECT_EQ(state->hz, 29000);
+  EXPECT_EQ(state->band_hz, 10000);
+  EXPECT_FALSE(rig_->speaker().SetMusic(24000, 41000, 2, Soon()));
+  EXPECT_FALSE(rig_->speaker().SetMusic(10, 24000, 2, Soon()));
+  EXPECT_FALSE(rig_->speaker().SetMusic(34000, 24000, 2, Soon()));
+  EXPECT_FALSE(rig_->speaker().SetMusic(24000, 34000, 11, Soon()));
+  ASSERT_TRUE(rig_->speaker().SetTone(1000, 1, Soon()));
+  EXPECT_EQ(rig_->speaker().Read(Soon())->band_hz, 0);
+}
+
+TEST_F(VirtualRigTest, TheBoardsOwnLoadWarmsItsDieWhileThePlateHolds) {
+  station_.model.terms = {"thermal.self_heating"};
+  station_.model.term["thermal.self_heating"]["idle_w"] = {0};
+  Start();
+  ASSERT_TRUE(rig_->plate().SetTarget(30, Soon()));
+  const auto die_degc = [&](double seconds) {
+    for (int s = 0; s < seconds; ++s) {
+      rig_->bus().Send(Encode(HeartbeatMsg{HeartbeatMsg::kRigId, kStateOperational}));
+      TakeFrames();
+      Run(1);
+    }
+    return Only<TimeMsg>(TakeFrames()).back().temperature / 256.0;
+  };
+  const double idle_degc = die_degc(300);
+  const auto write = [&](std::uint8_t sub, std::uint32_t value, int bytes) {
+    const auto command = static_cast<std::uint8_t>(0x23 | (4 - bytes) << 2);
+    rig_->bus().Send(Encode(SdoMsg{SdoMsg::kRxId, command, 0x2101, sub, value}));
+  };
+  write(1, TestModes::kKey, 4);
+  write(6, 80, 1);
+  // 4 W over 0.81 W/K.
+  EXPECT_NEAR(die_degc(300) - idle_degc, 0.8 * 5 / 0.81, 0.15);
+  EXPECT_NEAR(rig_->plate().Read(Soon())->process_degc, 30, 0.15);
+  for (int s = 0; s < 60; ++s) {  // no heartbeat: the load lets go
+    TakeFrames();
+    Run(1);
+  }
+  EXPECT_NEAR(Only<TimeMsg>(TakeFrames()).back().temperature / 256.0, idle_degc, 0.15);
 }
 
 }  // namespace
