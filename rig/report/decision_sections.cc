@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +47,10 @@ std::string_view QuantityOf(zro::Code code) {
 
 /// "tone 27000 Hz 100 dB".
 std::string StimulusText(const History::Stimulus& s) {
-  return s.hz > 0 ? fmt::format("{} {:g} Hz {:g} dB", s.kind, s.hz, s.spl_db) : s.kind;
+  std::string text = s.kind;
+  if (s.hz > 0) text += fmt::format(" {:g} Hz", s.hz);
+  if (s.spl_db > 0) text += fmt::format(" {:g} dB", s.spl_db);
+  return text;
 }
 
 /// "0.801", "–" where nothing was averaged yet (the log then holds zeros).
@@ -104,19 +108,32 @@ std::string RefusalsHtml(const History& history) {
   return out + "</tbody></table>\n";
 }
 
+std::string DecisionsText(const History::Tone& tone) {
+  std::vector<std::string> texts;
+  for (const auto& [code, count] : tone.decisions) {
+    texts.push_back(fmt::format("{} × {}\u00a0{}", count, static_cast<int>(code), CodeName(code)));
+  }
+  return fmt::format("{}", fmt::join(texts, ", "));
+}
+
 std::string TonesHtml(const History& history) {
   if (history.tones.empty()) return "<p>No tone was played.</p>\n";
   std::string out =
       "<table><thead><tr><th>f [Hz]</th><th>SPL [dB re 20 µPa]</th><th>t [s]</th><th>T [°C]</th>"
-      "<th>x [mdps]</th><th>y [mdps]</th><th>z [mdps]</th></tr></thead><tbody>\n";
+      "<th>x [mdps]</th><th>y [mdps]</th><th>z [mdps]</th><th class=\"text\">readings</th></tr>"
+      "</thead><tbody>\n";
   const auto number = [](double value, int digits) {
     return std::isnan(value) ? std::string("–") : fmt::format("{:.{}f}", value, digits);
   };
   for (const History::Tone& tone : history.tones) {
-    out += fmt::format("<tr><td>{:g}</td><td>{:g}</td><td>{:.1f} .. {:.1f}</td><td>{}</td>",
-                       tone.hz, tone.spl_db, tone.from_s, tone.to_s, number(tone.board_degc, 2));
+    const double half_hz = tone.band_hz / 2;
+    const std::string hz = half_hz > 0
+                               ? fmt::format("{:g}–{:g}", tone.hz - half_hz, tone.hz + half_hz)
+                               : fmt::format("{:g}", tone.hz);
+    out += fmt::format("<tr><td>{}</td><td>{:g}</td><td>{:.1f} .. {:.1f}</td><td>{}</td>", hz,
+                       tone.spl_db, tone.from_s, tone.to_s, number(tone.board_degc, 2));
     for (const double dps : tone.shift_dps) out += fmt::format("<td>{}</td>", number(dps * 1e3, 1));
-    out += "</tr>\n";
+    out += fmt::format("<td class=\"text\">{}</td></tr>\n", Escaped(DecisionsText(tone)));
   }
   return out + "</tbody></table>\n";
 }

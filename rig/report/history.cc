@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kAfterglow_s = 2.0;    ///< a mean this soon after a stimulus is not quiet
+constexpr double kReading_s = 5.0;      ///< what the corrector averages for one decision
 constexpr double kBeforeTone_s = 10.0;  ///< what a tone's effect is measured against
 constexpr std::string_view kOff = "off";
 
@@ -40,8 +41,15 @@ class Historian {
   void operator()(const SpeakerItem& item) {
     const double t_s = Seconds(item.at_us);
     if (sounding_) history_.tones.back().to_s = t_s;
+    const bool goes_on = sounding_ && item.band_hz > 0 && item.hz == history_.tones.back().hz &&
+                         item.band_hz == history_.tones.back().band_hz;
     sounding_ = item.hz > 0;
-    if (sounding_) history_.tones.push_back({t_s, t_s, item.hz, item.spl_db, board_degc_, {}});
+    if (goes_on) {
+      double& loudest_db = history_.tones.back().spl_db;
+      loudest_db = std::max(loudest_db, item.spl_db);
+    } else if (sounding_) {
+      history_.tones.push_back({t_s, t_s, item.hz, item.spl_db, board_degc_, {}, item.band_hz, {}});
+    }
   }
   void operator()(const MeanItem& item) {
     if (item.samples == 0) return;
@@ -71,6 +79,8 @@ class Historian {
       board_degc_ = kNone;
     } else if (item.kind == Kind::kPower) {
       Close(kOff, t_s);
+    } else if (item.kind == Kind::kLoad) {
+      SetLoad(t_s, item.a);
     } else if (item.kind == Kind::kAlarm) {
       history_.alarms.push_back({t_s, item.text});
     }
@@ -85,9 +95,11 @@ class Historian {
       if (std::isnan(s.to_s)) s.to_s = history_.duration_s;
     }
     if (sounding_) history_.tones.back().to_s = history_.duration_s;
+    SetLoad(history_.duration_s, 0);
     for (History::Second& second : history_.seconds) second.quiet = IsQuiet(second.t_s);
     for (History::Reading& reading : history_.readings) {
       reading.stimulus = StimulusAt(reading.t_s);
+      if (History::Tone* tone = ToneOf(reading.t_s)) ++tone->decisions[reading.decision.code];
     }
     for (History::Tone& tone : history_.tones) tone.shift_dps = ShiftBy(tone);
     if (!end.whole) history_.damage = end.message;
@@ -112,6 +124,23 @@ class Historian {
         history_.stimuli.begin(), history_.stimuli.end(),
         [&](const History::Stimulus& s) { return s.kind == kind && std::isnan(s.to_s); });
     if (open != history_.stimuli.end()) open->to_s = t_s;
+  }
+  void SetLoad(double t_s, double duty_pct) {
+    if (load_pct_ > 0) history_.loads.back().to_s = t_s;
+    load_pct_ = duty_pct;
+    if (duty_pct > 0) history_.loads.push_back({t_s, t_s, duty_pct});
+  }
+  /// The sound that was the longest part of a reading judged at `t_s`; null when there was none.
+  History::Tone* ToneOf(double t_s) {
+    History::Tone* longest = nullptr;
+    double most_s = 0;
+    for (History::Tone& tone : history_.tones) {
+      const double part_s = std::min(tone.to_s, t_s) - std::max(tone.from_s, t_s - kReading_s);
+      if (part_s <= most_s) continue;
+      most_s = part_s;
+      longest = &tone;
+    }
+    return longest;
   }
   bool IsQuiet(double t_s) const {
     return std::none_of(history_.stimuli.begin(), history_.stimuli.end(), [&](const auto& s) {
@@ -151,6 +180,7 @@ class Historian {
   std::optional<ImuTime> last_time_;
   double board_degc_ = kNone;
   bool step_begun_ = false, sounding_ = false;
+  double load_pct_ = 0;
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -38,11 +39,18 @@ struct History {
     int stimulus = -1;  ///< that acted, or had ended within RunSnapshot::kStimulusEchoUs; -1 none
     bool expected() const { return stimulus >= 0; }
   };
-  /// One sound without a change; `shift_dps`: mean corrected rate during it minus that of the quiet
-  /// seconds (at most 10) before it, NaN where either is missing.
+  /// One sine without a change, or one piece of music, whatever its loudness (spl_db: its loudest);
+  /// `decisions`: of the readings that it was the longest part of. `shift_dps`: mean corrected rate
+  /// during it minus that of the quiet seconds (at most 10) before it, NaN where either is missing.
   struct Tone {
     double from_s = 0, to_s = 0, hz = 0, spl_db = 0, board_degc = 0;
     std::array<double, 3> shift_dps{};
+    double band_hz = 0;  ///< 0 = a sine
+    std::map<zro::Code, int> decisions = {};
+  };
+  /// The board warmed itself.
+  struct Load {
+    double from_s = 0, to_s = 0, duty_pct = 0;
   };
 
   struct Alarm {
@@ -57,6 +65,7 @@ struct History {
   std::vector<Stimulus> stimuli;
   std::vector<Reading> readings;
   std::vector<Tone> tones;
+  std::vector<Load> loads;
   std::vector<Alarm> alarms;  ///< of the rig
   zro::Table table;           ///< the board's, as last read
   double table_s = -1;        ///< when it was read; -1 = never

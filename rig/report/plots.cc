@@ -1,8 +1,11 @@
 #include "rig/report/plots.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "rig/report/sections.h"
 #include "rig/report/thin.h"
 
 namespace zrobench {
@@ -105,6 +108,16 @@ Json StimuliJson(const History& history) {
   return out;
 }
 
+Json LoadsJson(const History& history) {
+  Json out = Json::array();
+  for (const auto& load : history.loads) {
+    out.push_back({{"from_s", Rounded(load.from_s, 1e3)},
+                   {"to_s", Rounded(load.to_s, 1e3)},
+                   {"kind", fmt::format("load {:g} %", load.duty_pct)}});
+  }
+  return out;
+}
+
 Json TonesJson(const History& history) {
   Json out = Json::array();
   for (const auto& t : history.tones) {
@@ -113,7 +126,9 @@ Json TonesJson(const History& history) {
                    {"from_s", Rounded(t.from_s, 1e3)},
                    {"to_s", Rounded(t.to_s, 1e3)},
                    {"degc", Rounded(t.board_degc, 1e3)},
-                   {"shift_mdps", Mdps(t.shift_dps)}});
+                   {"shift_mdps", Mdps(t.shift_dps)},
+                   {"band_hz", t.band_hz},
+                   {"decisions", DecisionsText(t)}});
   }
   return out;
 }
@@ -130,6 +145,7 @@ std::string PlotsJson(const History& history) {
                       {"entries", EntriesJson(history.table)},
                       {"readings", std::move(readings)},
                       {"stimuli", StimuliJson(history)},
+                      {"loads", LoadsJson(history)},
                       {"tones", TonesJson(history)}};
   std::string text;
   for (const char c : plots.dump(-1, ' ', false, Json::error_handler_t::replace)) {

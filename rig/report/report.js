@@ -5,7 +5,8 @@
   // Middle tones: they read on white, on black and on paper.
   const COLOUR = {x: '#2b7fc4', y: '#c9641f', z: '#23966a', soft: '#7a8591', refused: '#d6343f',
     accepted: '#23966a', learned: '#2b7fc4', factory: '#b07d1a'};
-  const SHADE = {tone: 'rgba(130,80,223,0.20)', move: 'rgba(214,130,20,0.22)',
+  const SHADE = {tone: 'rgba(130,80,223,0.20)', music: 'rgba(190,80,223,0.20)',
+    sweep: 'rgba(90,80,223,0.20)', load: 'rgba(214,60,60,0.13)', move: 'rgba(214,130,20,0.22)',
     off: 'rgba(120,130,140,0.35)'};
   const SHAPES = {
     dot: (c, r) => { c.arc(0, 0, r, 0, 7); c.fill(); },
@@ -183,7 +184,7 @@
     context.canvas.closest('.plot').dataset.window = graph.xAxisRange().map(Math.round).join(' ');
     context.save();
     context.font = '11px sans-serif';
-    for (const s of data.stimuli) {
+    for (const s of [...data.loads, ...data.stimuli]) {
       const left = graph.toDomXCoord(s.from_s), right = graph.toDomXCoord(s.to_s);
       const from = Math.max(left, area.x), to = Math.min(right, area.x + area.w);
       if (to < from) continue;
@@ -283,7 +284,8 @@
   const toneSeries = () => AXES.map((axis, a) => ({name: axis, shape: toneShapes[a],
     colour: COLOUR[axis], size: 5.5, fit: true, points: data.tones.map(t => ({
       x: t.hz, y: t.shift_mdps[a] ?? NaN,
-      text: `${t.hz} Hz, ${t.spl_db} dB SPL at ${t.degc} °C: ${axis} ${t.shift_mdps[a]} mdps`}))}));
+      text: `${t.band_hz ? `music about ${t.hz}` : t.hz} Hz, ${t.spl_db} dB SPL at ${t.degc} °C: ` +
+        `${axis} ${t.shift_mdps[a]} mdps; ${t.decisions || 'no reading'}`}))}));
   scatter('tone-map', 'Rate made by sound', 'f [Hz]',
     [{name: 'shift', ylabel: 'shift [mdps]', series: toneSeries}]);
   document.querySelector('#tones .note').append(' ',

@@ -21,4 +21,7 @@ std::string RefusalsHtml(const History& history);
 /// Each tone with the rate it made.
 std::string TonesHtml(const History& history);
 
+/// "3 × 10 acoustic_or_vibration, 1 × 32 new"; empty where no reading came of it.
+std::string DecisionsText(const History::Tone& tone);
+
 }  // namespace zrobench
