@@ -35,6 +35,7 @@ class HeatModel {
   double NetHeatFlow() const { return network_.NetHeatFlow(flows_); }
 
   const std::vector<ActiveTerm>& terms() const { return terms_; }
+  std::span<double> states() { return states_; }  ///< of all terms
   std::span<double> StatesOf(const ActiveTerm& term) {
     return std::span(states_).subspan(term.first_state, term.info->states);
   }

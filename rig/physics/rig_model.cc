@@ -40,17 +40,14 @@ struct RigModel::State {
         sound(PerAxis<RandomStream>(seed, kSound)) {}
 
   void AddTerms(const Inputs& inputs, Sensed& sensed) {
-    TermContext context{inputs, heat.temperatures(), sample_period_s,
-                        {},     heat.die_k_per_s(),  false};
+    TermContext context{inputs, heat.temperatures(), sample_period_s, {}, heat.die_k_per_s(), 1,
+                        false};
     if (inputs.tone_band_hz > 0 && inputs.tone_pa > 0) {
       for (std::size_t axis = 0; axis < 3; ++axis) {
         context.normals[axis] = {sound[axis].Normal(), sound[axis].Normal()};
       }
     }
-    for (const ActiveTerm& term : heat.terms()) {
-      term.info->term->Step(context, term.parameters, heat.StatesOf(term));
-      term.info->term->Output(context, term.parameters, heat.StatesOf(term), sensed);
-    }
+    ActOnSample(heat.terms(), context, heat.states(), sensed);
   }
 
   Model model;
@@ -119,7 +116,7 @@ Axes RigModel::TrueZro() const {
   Inputs quiet = s.last_inputs;
   quiet.tone_pa = 0;
   quiet.turn_dps = quiet.shake_g = {};
-  const TermContext context{quiet, now, s.sample_period_s, {}, s.heat.die_k_per_s(), true};
+  const TermContext context{quiet, now, s.sample_period_s, {}, s.heat.die_k_per_s(), 1, true};
   for (const ActiveTerm& term : s.heat.terms()) {
     term.info->term->Output(context, term.parameters, s.heat.StatesOf(term), sensed);
   }

@@ -7,8 +7,11 @@
 
 #include "core/check.h"
 #include "rig/physics/terms/acoustic_alias.h"
+#include "rig/physics/terms/acoustic_harmonics.h"
+#include "rig/physics/terms/acoustic_power_compression.h"
 #include "rig/physics/terms/acoustic_rectification.h"
 #include "rig/physics/terms/acoustic_resonance.h"
+#include "rig/physics/terms/acoustic_resonance_drift.h"
 #include "rig/physics/terms/gyro_ageing.h"
 #include "rig/physics/terms/gyro_backlash.h"
 #include "rig/physics/terms/gyro_creep.h"
@@ -71,6 +74,7 @@ void Append(const TermInfo& info, const Model& model, std::vector<double>& flat)
 
 void Term::Place(const Temperatures&, std::span<double>) const {}
 void Term::PowerOn(std::span<double>) const {}
+void Term::Sound(const TermContext&, std::span<const double>, std::span<double>, Heard&) const {}
 void Term::Step(const TermContext&, std::span<const double>, std::span<double>) const {}
 void Term::Output(const TermContext&, std::span<const double>, std::span<const double>,
                   Sensed&) const {}
@@ -84,8 +88,11 @@ void Term::Show(const HeatContext&, std::span<const double>, std::span<double>,
 
 std::span<const TermInfo> Catalogue() {
   static const std::array infos = {AcousticAliasInfo(),
+                                   AcousticHarmonicsInfo(),
+                                   AcousticPowerCompressionInfo(),
                                    AcousticRectificationInfo(),
                                    AcousticResonanceInfo(),
+                                   AcousticResonanceDriftInfo(),
                                    GyroAgeingInfo(),
                                    GyroBacklashInfo(),
                                    GyroCreepInfo(),
@@ -164,6 +171,26 @@ std::vector<ActiveTerm> ActiveTerms(const Model& model) {
     states += info->states;
   }
   return active;
+}
+
+void ActOnSample(std::span<const ActiveTerm> terms, const TermContext& context,
+                 std::span<double> all_states, Sensed& sensed) {
+  const auto states_of = [&](const ActiveTerm& term) {
+    return all_states.subspan(term.first_state, term.info->states);
+  };
+  Heard heard{context.inputs.tone_pa, context.resonance_scale};
+  for (const ActiveTerm& term : terms) {
+    term.info->term->Sound(context, term.parameters, states_of(term), heard);
+  }
+  Inputs inputs = context.inputs;
+  inputs.tone_pa = heard.tone_pa;
+  const TermContext hears{inputs,          context.temperatures, context.sample_period_s,
+                          context.normals, context.die_k_per_s,  heard.resonance_scale,
+                          context.truth};
+  for (const ActiveTerm& term : terms) {
+    term.info->term->Step(hears, term.parameters, states_of(term));
+    term.info->term->Output(hears, term.parameters, states_of(term), sensed);
+  }
 }
 
 }  // namespace zrobench::physics

@@ -22,9 +22,16 @@ struct TermContext {
   double sample_period_s = 0;
   /// Independent unit normals, two an axis, anew each sample; zero unless noise sounds.
   std::array<std::array<double, 2>, 3> normals{};
-  double die_k_per_s = 0;  ///< how fast the die's temperature moves
+  double die_k_per_s = 0;      ///< how fast the die's temperature moves
+  double resonance_scale = 1;  ///< mechanical resonances stand at this multiple of their nominal
   /// Asked for the offset itself, without noise: what only rounds or clips stays away.
   bool truth = false;
+};
+
+/// How the world's sound meets the gyro: what terms change about it.
+struct Heard {
+  double tone_pa = 0;  ///< rms pressure at the package
+  double resonance_scale = 1;
 };
 
 /// What a term may look at when heat moves.
@@ -46,6 +53,10 @@ class Term {
   virtual void Place(const Temperatures& at, std::span<double> states) const;
   /// The states at the start of a power-on. What is warm stays warm: only the board restarts.
   virtual void PowerOn(std::span<double> states) const;
+  /// Changes what the other terms hear of the sound; before any term's Step. context is still that
+  /// of the sound as it is played. Moves on by one sample period what sound alone moves.
+  virtual void Sound(const TermContext& context, std::span<const double> parameters,
+                     std::span<double> states, Heard& heard) const;
   /// Moves the states on by one sample period, before Output.
   virtual void Step(const TermContext& context, std::span<const double> parameters,
                     std::span<double> states) const;
@@ -119,5 +130,10 @@ struct ActiveTerm {
 };
 /// In the model's order of application. `model` is valid (Validate).
 std::vector<ActiveTerm> ActiveTerms(const Model& model);
+
+/// One sensor sample: lets all terms act on the sound, then move on and add to `sensed`.
+/// `all_states` is indexed by ActiveTerm::first_state.
+void ActOnSample(std::span<const ActiveTerm> terms, const TermContext& context,
+                 std::span<double> all_states, Sensed& sensed);
 
 }  // namespace zrobench::physics

@@ -32,7 +32,7 @@ class AcousticAlias final : public Term {
     const double period_s =
         context.sample_period_s / (1 + 1e-6 * parameters[kClockPpmPerK] * warmer_k);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double resonance_hz = parameters[kResonanceHz + axis];
+      const double resonance_hz = parameters[kResonanceHz + axis] * context.resonance_scale;
       StepResonator(context, axis, resonance_hz, parameters[kQ],
                     states.subspan(kEnvelopes + axis * kResonatorStates, kResonatorStates));
       const double moved_hz = inputs.tone_band_hz > 0 ? resonance_hz : inputs.tone_hz;
@@ -44,8 +44,9 @@ class AcousticAlias final : public Term {
               std::span<const double> states, Sensed& sensed) const override {
     if (context.inputs.tone_pa == 0) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double resonance_hz = parameters[kResonanceHz + axis] * context.resonance_scale;
       const auto motion =
-          MotionOf(context.inputs, parameters[kResonanceHz + axis], parameters[kQ],
+          MotionOf(context.inputs, resonance_hz, parameters[kQ],
                    states.subspan(kEnvelopes + axis * kResonatorStates, kResonatorStates));
       const double angle = 2 * std::numbers::pi * states[axis];
       const double swing = motion.in_phase * std::cos(angle) - motion.quadrature * std::sin(angle);

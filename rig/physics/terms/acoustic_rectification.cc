@@ -16,7 +16,8 @@ class AcousticRectification final : public Term {
             std::span<double> states) const override {
     if (context.inputs.tone_pa == 0) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      StepResonator(context, axis, parameters[kResonanceHz + axis], parameters[kQ],
+      const double resonance_hz = parameters[kResonanceHz + axis] * context.resonance_scale;
+      StepResonator(context, axis, resonance_hz, parameters[kQ],
                     states.subspan(axis * kResonatorStates, kResonatorStates));
     }
   }
@@ -25,11 +26,11 @@ class AcousticRectification final : public Term {
     const Inputs& inputs = context.inputs;
     if (inputs.tone_pa == 0) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double resonance_hz = parameters[kResonanceHz + axis] * context.resonance_scale;
       const auto envelope = inputs.tone_band_hz > 0
                                 ? states.subspan(axis * kResonatorStates, kResonatorStates)
                                 : std::span<const double>();
-      const auto motion =
-          MotionOf(inputs, parameters[kResonanceHz + axis], parameters[kQ], envelope);
+      const auto motion = MotionOf(inputs, resonance_hz, parameters[kQ], envelope);
       sensed.rate_dps[axis] += parameters[kDpsPerPa2 + axis] * motion.power();
     }
   }
@@ -59,7 +60,8 @@ TermInfo AcousticRectificationInfo() {
                       "positive shifts the rate up"}},
       .borrows = "acoustic.resonance",
       .channels = {"gyro_x_dps", "gyro_y_dps", "gyro_z_dps"},
-      .lookalikes = {"acoustic.alias", "gyro.vibration_rectification", "acoustic.emi"},
+      .lookalikes = {"acoustic.alias", "acoustic.harmonics", "gyro.vibration_rectification",
+                     "acoustic.emi"},
       .excitation = "tone bursts on and off at resonance, at two levels",
       .states = 3 * kResonatorStates,
       .term = &term,

@@ -25,7 +25,7 @@ class AcousticResonance final : public Term {
             std::span<double> states) const override {
     if (context.inputs.tone_pa == 0) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double resonance_hz = parameters[Layout::kResonanceHz + axis];
+      const double resonance_hz = parameters[Layout::kResonanceHz + axis] * context.resonance_scale;
       StepResonator(context, axis, resonance_hz, parameters[Layout::kQ],
                     states.subspan(kEnvelopes + axis * kResonatorStates, kResonatorStates));
       const double drive_hz = resonance_hz - parameters[Layout::kModeSplitHz];
@@ -39,8 +39,9 @@ class AcousticResonance final : public Term {
               std::span<const double> states, Sensed& sensed) const override {
     if (context.inputs.tone_pa == 0) return;
     for (std::size_t axis = 0; axis < 3; ++axis) {
+      const double resonance_hz = parameters[Layout::kResonanceHz + axis] * context.resonance_scale;
       const auto motion =
-          MotionOf(context.inputs, parameters[Layout::kResonanceHz + axis], parameters[Layout::kQ],
+          MotionOf(context.inputs, resonance_hz, parameters[Layout::kQ],
                    states.subspan(kEnvelopes + axis * kResonatorStates, kResonatorStates));
       const double angle = 2 * std::numbers::pi * states[axis];
       const double swing = motion.in_phase * std::cos(angle) - motion.quadrature * std::sin(angle);

@@ -26,7 +26,7 @@ class Bench {
   }
   void PowerOn() { info_.term->PowerOn(states_); }
   Axes At(double die_degc, const Inputs& inputs = {}, double die_k_per_s = 0) {
-    const TermContext context{inputs, {0, 0, die_degc}, kPeriodS, {}, die_k_per_s, false};
+    const TermContext context{inputs, {0, 0, die_degc}, kPeriodS, {}, die_k_per_s, 1, false};
     info_.term->Step(context, parameters_, states_);
     Sensed sensed;
     info_.term->Output(context, parameters_, states_, sensed);
