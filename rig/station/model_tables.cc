@@ -9,7 +9,7 @@ namespace {
 
 // Wide enough for a chip on foil and for a climate chamber: these catch slips of units, not taste.
 const Range kTemperature = Range::Between(-100, 300);
-const Range kCapacity = Range::Positive(1e6);
+const Range kCapacity = Range::Between(1e-3, 1e6);
 const Range kPower = Range::Between(0, 1e5);
 const Range kConductance = Range::Between(0, 1e4);
 const Range kResolution = Range::Between(0, 10);
@@ -37,7 +37,7 @@ void ReadBoard(TableReader reader, std::optional<physics::BoardModel>* board) {
   if (!reader.present()) return board->reset();
   board->emplace();
   reader.Number("heat_capacity_j_per_k", &(*board)->heat_capacity_j_per_k, kCapacity);
-  reader.Number("to_plate_w_per_k", &(*board)->to_plate_w_per_k, Range::Positive(1e4));
+  reader.Number("to_plate_w_per_k", &(*board)->to_plate_w_per_k, Range::Between(1e-6, 1e4));
   reader.Number("to_ambient_w_per_k", &(*board)->to_ambient_w_per_k, kConductance);
   reader.RefuseOtherKeys();
 }
@@ -45,7 +45,7 @@ void ReadBoard(TableReader reader, std::optional<physics::BoardModel>* board) {
 void ReadPackage(TableReader reader, std::optional<physics::PackageModel>* package) {
   if (!reader.present()) return package->reset();
   package->emplace();
-  reader.Number("time_constant_s", &(*package)->time_constant_s, Range::Positive(1e4));
+  reader.Number("time_constant_s", &(*package)->time_constant_s, Range::Between(1e-3, 1e4));
   reader.Number("resolution_degc", &(*package)->resolution_degc, kResolution);
   reader.RefuseOtherKeys();
 }
@@ -73,7 +73,7 @@ void ReadAccel(TableReader reader, physics::AccelModel* accel) {
 }
 
 void ReadSpeaker(TableReader reader, physics::SpeakerModel* speaker) {
-  reader.Number("pa_per_v", &speaker->pa_per_v, Range::Positive(1e3));
+  reader.Number("pa_per_v", &speaker->pa_per_v, Range::Between(1e-6, 1e3));
   reader.RefuseOtherKeys();
 }
 

@@ -52,12 +52,12 @@ void ReadLimits(TableReader reader, StationLimits* limits) {
   const Range temperature = Range::Between(-100, 200);
   reader.Number("min_degc", &limits->min_degc, temperature);
   reader.Number("max_degc", &limits->max_degc, temperature);
-  reader.Number("max_rate_degc_per_min", &limits->max_rate_degc_per_min, Range::Positive(100));
-  reader.Number("max_tone_v", &limits->max_tone_v, Range::Positive(1000));
-  reader.Number("min_tone_hz", &limits->min_tone_hz, Range::Positive(1e6));
-  reader.Number("max_tone_hz", &limits->max_tone_hz, Range::Positive(1e6));
+  reader.Number("max_rate_degc_per_min", &limits->max_rate_degc_per_min, Range::Between(0.01, 100));
+  reader.Number("max_tone_v", &limits->max_tone_v, Range::Between(1e-6, 1000));
+  reader.Number("min_tone_hz", &limits->min_tone_hz, Range::Between(0.1, 1e6));
+  reader.Number("max_tone_hz", &limits->max_tone_hz, Range::Between(0.1, 1e6));
   reader.Number("max_spl_db", &limits->max_spl_db, Range::Between(0, 194));
-  reader.Number("max_tone_s", &limits->max_tone_s, Range::Positive(86400));
+  reader.Number("max_tone_s", &limits->max_tone_s, Range::Between(0.1, 86400));
   if (limits->min_degc >= limits->max_degc) {
     reader.Complain("min_degc", fmt::format("min_degc = {} is not below max_degc = {}",
                                             limits->min_degc, limits->max_degc));
@@ -105,7 +105,7 @@ void ReadVirtual(TableReader reader, VirtualSettings* settings) {
 }
 
 void ReadClock(TableReader reader, Station* station) {
-  reader.Number("speed", &station->clock_speed, Range::Positive(10000));
+  reader.Number("speed", &station->clock_speed, Range::Between(1e-3, 10000));
   reader.RefuseOtherKeys();
 }
 

@@ -44,7 +44,7 @@ TEST(StationErrors, AllAtOnceInFileOrder) {
           "7:12: error: max_degc must be a finite number",
           "8:1: error: 'max_rate_degc_per_s' is not a key of [limits]; wrong unit, write it "
           "in degc_per_min as 'max_rate_degc_per_min'",
-          "9:15: error: min_tone_hz = -5 must be greater than 0",
+          "9:15: error: min_tone_hz = -5 is below 0.1",
           "11:9: error: speed must be a finite number",
           "13:18: error: gyro_range_dps = 300 is not one of 125, 250, 500, 1000, 2000, 4000",
           "14:35: error: 'kp' is not a key of controller; with its unit it is "
@@ -66,7 +66,7 @@ TEST(StationErrors, TheModelIsCheckedByThePhysics) {
                        "resonance_hz = [1.0, 2.0]\n"
                        "colour = 3\n"),
               ElementsAre(HasSubstr("3:9: error: model.terms names the unknown term"),
-                          "5:25: error: heat_capacity_j_per_k = 0 must be greater than 0",
+                          "5:25: error: heat_capacity_j_per_k = 0 is below 0.001",
                           HasSubstr("6:1: error: 'heater_kw' is not a key of [model.plate]; "
                                     "did you mean 'heater_w'?"),
                           "8:13: error: zro_x_dps must hold 1 to 4 numbers, not 5",
@@ -106,6 +106,31 @@ TEST(StationErrors, AMissingFileSaysSo) {
   const Result<Station> folder = LoadStation("/tmp");
   ASSERT_FALSE(folder);
   EXPECT_THAT(folder.error().message, HasSubstr("is a directory"));
+}
+
+TEST(StationErrors, AbsurdlySmallNumbersAreSaidToBe) {
+  EXPECT_THAT(ErrorsOf("station = { name = \"s\" }\n"
+                       "[limits]\n"
+                       "max_rate_degc_per_min = 1e-300\n"
+                       "max_tone_v = 1e-300\n"
+                       "max_tone_s = 1e-300\n"
+                       "[clock]\n"
+                       "speed = 1e-300\n"
+                       "[model.board]\n"
+                       "heat_capacity_j_per_k = 1e-300\n"
+                       "to_plate_w_per_k = 1e-300\n"
+                       "[model.package]\n"
+                       "time_constant_s = 1e-300\n"
+                       "[model.speaker]\n"
+                       "pa_per_v = 1e-300\n"),
+              ElementsAre("3:25: error: max_rate_degc_per_min = 1e-300 is below 0.01",
+                          "4:14: error: max_tone_v = 1e-300 is below 1e-06",
+                          "5:14: error: max_tone_s = 1e-300 is below 0.1",
+                          "7:9: error: speed = 1e-300 is below 0.001",
+                          "9:25: error: heat_capacity_j_per_k = 1e-300 is below 0.001",
+                          "10:20: error: to_plate_w_per_k = 1e-300 is below 1e-06",
+                          "12:19: error: time_constant_s = 1e-300 is below 0.001",
+                          "14:12: error: pa_per_v = 1e-300 is below 1e-06"));
 }
 
 }  // namespace

@@ -179,8 +179,8 @@ TEST(Station, TheShippedStationIsTheDesignsModel) {
   EXPECT_EQ(s.virtual_rig.epoch, kNewYear2026);
   EXPECT_EQ(s.virtual_rig.sample_hz, 200);
   EXPECT_THAT(s.virtual_rig.factory_degc, ElementsAre(10, 25, 40));
-  EXPECT_THAT(s.model.terms,
-              ElementsAre("acoustic.resonance", "acoustic.rectification", "gyro.ageing"));
+  EXPECT_THAT(s.model.terms, ElementsAre("acoustic.resonance", "acoustic.rectification",
+                                         "acoustic.alias", "gyro.ageing", "thermal.self_heating"));
   // The code's defaults and the file's figures are the same nominal rig.
   const physics::Model nominal;
   EXPECT_EQ(s.model.gyro->zro_dps, nominal.gyro->zro_dps);
