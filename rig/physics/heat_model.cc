@@ -13,6 +13,7 @@ HeatModel::HeatModel(const Model& model)
 
 void HeatModel::Reset() {
   network_.Reset();
+  begun_ = false;
   Place(network_.temperatures());
 }
 
@@ -23,11 +24,13 @@ void HeatModel::PowerOn() {
 void HeatModel::Place(const Temperatures& temperatures) {
   network_.Place(temperatures);
   shown_ = network_.temperatures();
+  if (begun_) return;
   die_k_per_s_ = 0;
   for (const ActiveTerm& term : terms_) term.info->term->Place(shown_, StatesOf(term));
 }
 
 void HeatModel::Advance(double dt_s, const Inputs& inputs) {
+  begun_ = true;
   const double before_degc = network_.temperatures().die_degc;
   flows_ = Flows(inputs, dt_s);
   network_.Advance(dt_s, flows_);

@@ -22,7 +22,9 @@ class HeatModel {
   void Reset();
   /// Start of a power-on: what restarts with the board begins anew.
   void PowerOn();
-  /// The nodes at these temperatures, as a recording found them.
+  /// The nodes at these temperatures, as a recording found them. Before the first step what the
+  /// terms hold (masses, sensors) follows; later the nodes move alone, as a plate that is held
+  /// does.
   void Place(const Temperatures& temperatures);
   void Advance(double dt_s, const Inputs& inputs);
 
@@ -52,6 +54,7 @@ class HeatModel {
   std::vector<double> states_;
   HeatFlows flows_;
   double die_k_per_s_ = 0;
+  bool begun_ = false;
   Temperatures shown_;
 };
 

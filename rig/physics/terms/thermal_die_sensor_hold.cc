@@ -9,8 +9,7 @@ namespace {
 class ThermalDieSensorHold final : public Term {
  public:
   void Place(const Temperatures& at, std::span<double> states) const override {
-    states[0] = at.die_degc;
-    states[1] = 0;
+    PlaceHold(at.die_degc, states);
   }
   void Show(const HeatContext& context, std::span<const double> parameters,
             std::span<double> states, Temperatures& shown) const override {

@@ -132,13 +132,27 @@ TEST(Holds, RepeatWhatTheyReadAtTheirMultiples) {
       base.Advance(0.01, inputs);
       const auto pick = [&](const Temperatures& t) { return of_die ? t.die_degc : t.plate_degc; };
       if (i % 128 == 0) held_degc = pick(base.shown());
-      ASSERT_EQ(pick(heat.shown()), held_degc) << id << ", step " << i;
+      ASSERT_NEAR(pick(heat.shown()), held_degc, 1e-12) << id << ", step " << i;
       ASSERT_EQ(of_die ? heat.shown().plate_degc : heat.shown().die_degc,
                 of_die ? base.shown().plate_degc : base.shown().die_degc);
       const double k_per_s = 0.0001 + (pick(base.shown()) - held_degc) / (0.01 * (i % 128) + 1e-9);
       mean_late_s += (pick(base.shown()) - held_degc) / k_per_s / 12800;
     }
     EXPECT_NEAR(mean_late_s, 1.28 / 2, 0.02) << id;
+  }
+}
+
+TEST(Holds, AReadingBetweenTwoStepsIsOfItsOwnInstant) {
+  const TermInfo& info = *FindTerm("thermal.die_sensor_hold");
+  for (const double hold_s : {0.064, 0.7, 1.28, 7.3}) {
+    std::vector<double> states(info.states);
+    info.term->Place({0, 0, 20}, states);
+    for (int t_s = 1; t_s <= 50; ++t_s) {
+      Temperatures shown = {0, 0, 20 + 0.5 * t_s};
+      info.term->Show({{}, {}, shown, 1}, std::vector<double>{hold_s}, states, shown);
+      const double read_s = hold_s * std::floor(t_s / hold_s + 1e-9);
+      ASSERT_NEAR(shown.die_degc, 20 + 0.5 * read_s, 1e-9) << hold_s << " s, at " << t_s;
+    }
   }
 }
 

@@ -92,7 +92,9 @@ TEST(PowerCompression, TheSoundSinksOverABurstAndRecoversInAPause) {
   }
   play(0, 500);
   rig.PowerCycle();  // of the board: the speaker does not notice
-  EXPECT_NEAR(play(2, 1)[0] / burst[0], 1, 1e-4);
+  EXPECT_NEAR(play(2, 100)[0] / burst[0], 1, 1e-4);
+  rig.PowerCycle();
+  EXPECT_NEAR(play(2, 1)[0] / burst[100], 1, 1e-4);
 }
 
 TEST(Harmonics, AToneAtAThirdOfAResonanceShiftsItWithTheSixthPower) {

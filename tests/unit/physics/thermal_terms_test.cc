@@ -139,6 +139,22 @@ TEST(ParallelMass, StaysWarmOverAPowerCycle) {
   EXPECT_EQ(end_degc(true), end_degc(false));
 }
 
+TEST(ParallelMass, KeepsItsHeatWhileThePlateIsHeldAsARecordingFoundIt) {
+  Model model = With("thermal.parallel_mass", {{"w_per_k", {0.2}}, {"tau_s", {300}}});
+  model.board->to_ambient_w_per_k = 0;
+  HeatModel heat(model);
+  heat.Place({20, 20, 20});
+  for (int t_s = 0; t_s < 600; ++t_s) {
+    Temperatures held = heat.temperatures();
+    held.plate_degc = 60;
+    heat.Place(held);
+    heat.Advance(1, {});
+  }
+  // Slow beside the board: T_b = (0.8 T_p + 0.2 T_m) / 1, T_p - T_m falls with 300 s / 0.8.
+  const double behind_k = 60 - heat.temperatures().board_degc;
+  EXPECT_NEAR(behind_k, 0.2 * 40 * std::exp(-600 * 0.8 / 300), 0.1);
+}
+
 TEST(SeriesMass, FollowsItsEquation) {
   ExpectFollows(With("thermal.series_mass", {{"share", {0.4}}, {"tau_s", {25}}}),
                 [](double, const State& at, State& rate) {
@@ -223,6 +239,17 @@ TEST(PeltierJoule, HalfTheCurrentIsAQuarterOfTheHeatWhicheverWayItPumps) {
   EXPECT_NEAR(joule_w(50), 2, 1e-6);
   EXPECT_NEAR(joule_w(-50), 2, 1e-6);
   EXPECT_NEAR(joule_w(-250), 8, 1e-6);
+}
+
+TEST(PeltierJoule, IsOfTheCurrentThatFlowsNotOfTheOneAskedFor) {
+  Model model = With("thermal.saturation", {{"missing_pct", {50}}});
+  model.terms.push_back("thermal.peltier_joule");
+  model.term["thermal.peltier_joule"]["joule_w"] = {8};
+  HeatModel heat(model);
+  Inputs inputs;
+  inputs.drive_pct = 100;
+  heat.Advance(1e-6, inputs);
+  EXPECT_NEAR(heat.NetHeatFlow(), 50 + 2, 1e-4);
 }
 
 TEST(Saturation, CutsBothEndsAndNothingInBetween) {
