@@ -13,6 +13,7 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kAfterglow_s = 2.0;    ///< a mean this soon after a stimulus is not quiet
 constexpr double kReading_s = 5.0;      ///< what the corrector averages for one decision
+constexpr double kGraze_s = 0.5;        ///< a part too short to matter
 constexpr double kBeforeTone_s = 10.0;  ///< what a tone's effect is measured against
 constexpr std::string_view kOff = "off";
 
@@ -101,7 +102,7 @@ class Historian {
       reading.stimulus = StimulusAt(reading.t_s);
       if (History::Tone* tone = ToneOf(reading.t_s)) ++tone->decisions[reading.decision.code];
     }
-    for (History::Tone& tone : history_.tones) tone.shift_dps = ShiftBy(tone);
+    MeasureShifts();
     if (!end.whole) history_.damage = end.message;
     return std::move(history_);
   }
@@ -133,7 +134,7 @@ class Historian {
   /// The sound that was the longest part of a reading judged at `t_s`; null when there was none.
   History::Tone* ToneOf(double t_s) {
     History::Tone* longest = nullptr;
-    double most_s = 0;
+    double most_s = kGraze_s;
     for (History::Tone& tone : history_.tones) {
       const double part_s = std::min(tone.to_s, t_s) - std::max(tone.from_s, t_s - kReading_s);
       if (part_s <= most_s) continue;
@@ -168,11 +169,16 @@ class Historian {
     for (double& s : sum) s = n > 0 ? s / n : kNone;
     return sum;
   }
-  std::array<double, 3> ShiftBy(const History::Tone& tone) const {
-    const auto before = MeanRate(tone.from_s - kBeforeTone_s, tone.from_s, true);
-    auto shift = MeanRate(tone.from_s, tone.to_s, false);
-    for (std::size_t a = 0; a < 3; ++a) shift[a] -= before[a];
-    return shift;
+  /// The tones of a sweep follow each other at once: all are measured against the silence before.
+  void MeasureShifts() {
+    double silent_until_s = 0, last_s = -1;
+    for (History::Tone& tone : history_.tones) {
+      if (tone.from_s > last_s) silent_until_s = tone.from_s;
+      last_s = tone.to_s;
+      const auto before = MeanRate(silent_until_s - kBeforeTone_s, silent_until_s, true);
+      tone.shift_dps = MeanRate(tone.from_s, tone.to_s, false);
+      for (std::size_t a = 0; a < 3; ++a) tone.shift_dps[a] -= before[a];
+    }
   }
 
   History history_;

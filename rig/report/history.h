@@ -41,7 +41,8 @@ struct History {
   };
   /// One sine without a change, or one piece of music, whatever its loudness (spl_db: its loudest);
   /// `decisions`: of the readings that it was the longest part of. `shift_dps`: mean corrected rate
-  /// during it minus that of the quiet seconds (at most 10) before it, NaN where either is missing.
+  /// during it minus that of the quiet seconds (at most 10) before it, or before the sweep it is
+  /// part of; NaN where either is missing.
   struct Tone {
     double from_s = 0, to_s = 0, hz = 0, spl_db = 0, board_degc = 0;
     std::array<double, 3> shift_dps{};

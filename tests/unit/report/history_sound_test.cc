@@ -78,7 +78,7 @@ TEST_F(SoundRecord, AReadingBelongsToTheToneThatWasItsLongestPart) {
   Decide(28, zro::Code::kMerged);  // 23 to 28 s: four of five seconds of the first tone
   Decide(33, zro::Code::kAcousticOrVibration);
   Speaker(34, 0, 0);
-  Decide(38.5, zro::Code::kAcousticOrVibration);  // half a second of sound
+  Decide(38.4, zro::Code::kAcousticOrVibration);  // half a second of sound
   Decide(50, zro::Code::kNew);                    // none
   const History h = Read();
   ASSERT_THAT(h.tones, SizeIs(2));
@@ -87,6 +87,24 @@ TEST_F(SoundRecord, AReadingBelongsToTheToneThatWasItsLongestPart) {
   EXPECT_THAT(TonesHtml(h), HasSubstr("2 × 10"));
   const auto plots = nlohmann::json::parse(PlotsJson(h));
   EXPECT_THAT(plots["tones"][1]["decisions"].get<std::string>(), HasSubstr("2 × 10"));
+}
+
+TEST_F(SoundRecord, EveryToneOfASweepIsMeasuredAgainstTheSilenceBeforeIt) {
+  for (int t = 1; t <= 40; ++t) {
+    const float z = t <= 20 ? 0.01f : t <= 30 ? 0.11f : 0.31f;
+    recorder_->Write(MeanItem{At(t), 25, {0, 0, z}, {0, 0, z}, {0, 0, 1}, 200});
+    if (t == 20) {
+      recorder_->Write(
+          EventItem{At(20), EventItem::Kind::kStimulusBegin, 0, 0, 100, "sweep 1-2 Hz"});
+      Speaker(20, 26900, 100);
+    }
+    if (t == 30) Speaker(30, 27000, 100);
+  }
+  Speaker(40, 0, 0);
+  const History h = Read();
+  ASSERT_THAT(h.tones, SizeIs(2));
+  EXPECT_NEAR(h.tones[0].shift_dps[2], 0.1, 1e-6);
+  EXPECT_NEAR(h.tones[1].shift_dps[2], 0.3, 1e-6);
 }
 
 TEST_F(SoundRecord, LoadsAreStretchesOfTheirOwnAndNoStimuli) {
