@@ -105,6 +105,9 @@ struct TermInfo {
   bool needs_power_ons = false;  ///< one power-on cannot tell it from a constant or a drift
   /// In proportion to its coefficients, the shape given; else only while they are small.
   bool linear = true;
+  /// Acts from sample to sample (a line, a fold, a stair): only rows that are the sensor's own
+  /// samples show it; stepped more slowly, it folds into something that was never there.
+  bool needs_every_sample = false;
   bool scanned = true;  ///< false: run forward only, for what a difference cannot find
 };
 

@@ -101,6 +101,7 @@ TermInfo AcousticAliasInfo() {
       .states = kEnvelopes + 3 * kResonatorStates,
       .term = &term,
       .needs = {"tone_hz", "tone_spl_db|tone_v", "imu_degc", "gyro_x_dps|gyro_y_dps|gyro_z_dps"},
+      .needs_every_sample = true,
   };
 }
 

@@ -61,7 +61,7 @@ TermInfo AcousticRectificationInfo() {
       .borrows = "acoustic.resonance",
       .channels = {"gyro_x_dps", "gyro_y_dps", "gyro_z_dps"},
       .lookalikes = {"acoustic.alias", "acoustic.harmonics", "gyro.vibration_rectification",
-                     "acoustic.emi"},
+                     "the speaker's current in the supply"},
       .excitation = "tone bursts on and off at resonance, at two levels",
       .states = 3 * kResonatorStates,
       .term = &term,

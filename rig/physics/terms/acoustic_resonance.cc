@@ -93,11 +93,12 @@ TermInfo AcousticResonanceInfo() {
             "amplitude per rms pressure at resonance"}},
       .borrows = {},
       .channels = {"gyro_x_dps", "gyro_y_dps", "gyro_z_dps"},
-      .lookalikes = {"acoustic.alias", "acoustic.structure_borne", "acoustic.harmonics"},
+      .lookalikes = {"acoustic.alias", "sound through the structure", "acoustic.harmonics"},
       .excitation = "tones in steps across the resonance, at two levels",
       .states = kEnvelopes + 3 * kResonatorStates,
       .term = &term,
       .needs = {"tone_hz", "tone_spl_db|tone_v", "gyro_x_dps|gyro_y_dps|gyro_z_dps"},
+      .needs_every_sample = true,
   };
 }
 

@@ -41,6 +41,7 @@ TermInfo GyroQuantisationInfo() {
       .term = &term,
       .needs = {"gyro_x_dps|gyro_y_dps|gyro_z_dps"},
       .linear = false,
+      .needs_every_sample = true,
       .scanned = false,
   };
 }

@@ -36,6 +36,25 @@ TEST(Catalogue, EveryEntryIsComplete) {
   }
 }
 
+TEST(Catalogue, SpeaksOfColumnsAndOfTermsThatExist) {
+  const std::set<std::string> columns = {
+      "t_s",        "setpoint_degc", "plate_degc", "drive_pct",   "ambient_degc", "imu_degc",
+      "gyro_x_dps", "gyro_y_dps",    "gyro_z_dps", "accel_x_g",   "accel_y_g",    "accel_z_g",
+      "supply_v",   "tone_hz",       "tone_v",     "tone_spl_db", "imu_time_us",  "seq"};
+  for (const TermInfo& info : Catalogue()) {
+    for (const std::string_view channel : info.channels) {
+      EXPECT_TRUE(columns.contains(std::string(channel))) << info.id << ": " << channel;
+    }
+    EXPECT_TRUE(UnmetNeeds(info, std::vector(columns.begin(), columns.end())).empty()) << info.id;
+    for (const std::string_view lookalike : info.lookalikes) {
+      EXPECT_NE(lookalike, info.id);
+      if (lookalike.find('.') != lookalike.npos) {
+        EXPECT_NE(FindTerm(lookalike), nullptr) << info.id << ": " << lookalike;
+      }
+    }
+  }
+}
+
 TEST(Catalogue, FindsByExactIdOnly) {
   EXPECT_EQ(FindTerm("acoustic.resonance")->id, "acoustic.resonance");
   EXPECT_EQ(FindTerm("acoustic.resonanc"), nullptr);
