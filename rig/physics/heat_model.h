@@ -11,8 +11,9 @@
 namespace zrobench::physics {
 
 /// Plate, board and die moved forward with every active term. The network is exact for heat held
-/// over a step; what the terms add is held, too (exponential Euler, first order in that part
-/// alone). The virtual rig steps it beside its sensors; diagnosis runs it over whole recordings.
+/// over a step; what the terms add is held, too, at temperatures foreseen for the step's middle
+/// from the step before (second order while nothing jumps). The virtual rig steps it beside its
+/// sensors; diagnosis runs it over whole recordings.
 class HeatModel {
  public:
   /// `model` is valid (Validate). Starts at ambient, powered on.
@@ -47,6 +48,7 @@ class HeatModel {
     return {inputs, model_, network_.temperatures(), dt_s};
   }
   HeatFlows Flows(const Inputs& inputs, double dt_s);
+  Temperatures MiddleOfStep(double dt_s);
 
   Model model_;
   ThermalNetwork network_;
@@ -55,6 +57,8 @@ class HeatModel {
   HeatFlows flows_;
   double die_k_per_s_ = 0;
   bool begun_ = false;
+  Temperatures last_start_;  ///< what the step before began with
+  double last_dt_s_ = 0;
   Temperatures shown_;
 };
 

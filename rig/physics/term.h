@@ -38,7 +38,7 @@ struct Heard {
 struct HeatContext {
   const Inputs& inputs;
   const Model& model;
-  Temperatures temperatures;  ///< at the beginning of the step
+  Temperatures temperatures;  ///< foreseen for the middle of the step; in Show: at its end
   double dt_s = 0;
   double drive_pct = 0;  ///< in Heat: what reaches the plate's actuator
 };

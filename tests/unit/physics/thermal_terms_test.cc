@@ -163,13 +163,6 @@ TEST(SeriesMass, FollowsItsEquation) {
                 });
 }
 
-TEST(SeriesMass, StepsOfASecondDo) {
-  const Model model = With("thermal.series_mass", {{"share", {0.4}}, {"tau_s", {8}}});
-  for (const double until_s : {10.0, 100.0, 155.0, 320.0}) {
-    EXPECT_NEAR(After(model, until_s, 1).die_degc, After(model, until_s, 0.01).die_degc, 0.01);
-  }
-}
-
 TEST(ContactResistance, FollowsItsEquationAndMovesHeatWithoutMakingAny) {
   const Model model = With("thermal.contact_resistance_temperature", {{"per_40k", {0.3}}});
   ExpectFollows(model, [](double, const State& at, State& rate) {
@@ -265,6 +258,30 @@ TEST(Saturation, CutsBothEndsAndNothingInBetween) {
   EXPECT_NEAR(heat_w(70), 70, 1e-4);
   EXPECT_NEAR(heat_w(100), 70, 1e-4);
   EXPECT_NEAR(heat_w(-100), -42, 1e-4);
+}
+
+TEST(Terms, StepsOfASecondDo) {
+  for (const TermInfo& info : Catalogue()) {
+    if (!info.id.starts_with("thermal.")) continue;
+    Model model;
+    model.terms.emplace_back(info.id);
+    double error_k = 0, matters_k = 0;
+    HeatModel coarse(model), fine(model), base({});
+    for (int t_s = 0; t_s < 600; ++t_s) {
+      Inputs inputs;
+      inputs.drive_pct = Drive(t_s);
+      coarse.Advance(1, inputs);
+      for (int k = 0; k < 50; ++k) fine.Advance(0.02, inputs);
+      base.Advance(1, inputs);
+      const Temperatures a = coarse.shown(), b = fine.shown(), c = base.shown();
+      error_k = std::max(
+          {error_k, std::fabs(a.die_degc - b.die_degc), std::fabs(a.plate_degc - b.plate_degc)});
+      matters_k = std::max(
+          {matters_k, std::fabs(c.die_degc - b.die_degc), std::fabs(c.plate_degc - b.plate_degc)});
+    }
+    EXPECT_GT(matters_k, 0.02) << info.id;
+    EXPECT_LT(error_k / matters_k, 0.015) << info.id;
+  }
 }
 
 TEST(Terms, TheBalanceOfPlateAndBoardHoldsWithAllOfThem) {
