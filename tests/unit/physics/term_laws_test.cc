@@ -123,6 +123,16 @@ TEST_P(EveryTerm, TriesOnlyValuesItsModelAccepts) {
   }
 }
 
+TEST_P(EveryTerm, RefusesAmountsAndWidthsBelowZero) {
+  for (const ParameterInfo& parameter : info().parameters) {
+    Model model = WithTerm(info(), 1);
+    model.term[GetParam()][std::string(parameter.name)] =
+        std::vector<double>(parameter.defaults.size(), -1);
+    EXPECT_EQ(FindErrors(model).empty(), !parameter.positive && !parameter.not_negative)
+        << parameter.name;
+  }
+}
+
 TEST_P(EveryTerm, HasARowInTheFormatsWithEveryKey) {
   std::ifstream in(std::string(ZROBENCH_SOURCE_DIR) + "/docs/formats.md");
   for (std::string line; std::getline(in, line);) {
