@@ -260,46 +260,5 @@ TEST(Saturation, CutsBothEndsAndNothingInBetween) {
   EXPECT_NEAR(heat_w(-100), -42, 1e-4);
 }
 
-TEST(Terms, StepsOfASecondDo) {
-  for (const TermInfo& info : Catalogue()) {
-    if (!info.id.starts_with("thermal.")) continue;
-    Model model;
-    model.terms.emplace_back(info.id);
-    double error_k = 0, matters_k = 0;
-    HeatModel coarse(model), fine(model), base({});
-    for (int t_s = 0; t_s < 600; ++t_s) {
-      Inputs inputs;
-      inputs.drive_pct = Drive(t_s);
-      coarse.Advance(1, inputs);
-      for (int k = 0; k < 50; ++k) fine.Advance(0.02, inputs);
-      base.Advance(1, inputs);
-      const Temperatures a = coarse.shown(), b = fine.shown(), c = base.shown();
-      error_k = std::max(
-          {error_k, std::fabs(a.die_degc - b.die_degc), std::fabs(a.plate_degc - b.plate_degc)});
-      matters_k = std::max(
-          {matters_k, std::fabs(c.die_degc - b.die_degc), std::fabs(c.plate_degc - b.plate_degc)});
-    }
-    EXPECT_GT(matters_k, 0.02) << info.id;
-    EXPECT_LT(error_k / matters_k, 0.015) << info.id;
-  }
-}
-
-TEST(Terms, TheBalanceOfPlateAndBoardHoldsWithAllOfThem) {
-  Model model;
-  for (const TermInfo& info : Catalogue()) {
-    if (info.id.starts_with("thermal.")) model.terms.emplace_back(info.id);
-  }
-  ASSERT_GT(model.terms.size(), 10u);
-  HeatModel heat(model);
-  double flowed_j = 0;
-  for (int i = 0; i < 60000; ++i) {  // midpoint rule, 10 ms
-    Inputs inputs;
-    inputs.drive_pct = i < 30000 ? 90 : -70;
-    heat.Advance(0.005, inputs);
-    flowed_j += 0.01 * heat.NetHeatFlow() / 2;
-  }
-  EXPECT_NEAR(heat.StoredHeat() / flowed_j, 1, 2e-3);
-}
-
 }  // namespace
 }  // namespace zrobench::physics
