@@ -18,7 +18,8 @@ Corrector::Corrector(const Config& config, Storage* storage)
       floor_(config.gyro_noise_density_dps_per_rthz, config.sample_hz),
       noise_(config.sample_hz),
       quarantine_(config.sample_hz),
-      residual_(config.sample_hz) {}
+      residual_(config.sample_hz),
+      thermometer_(config.sample_hz) {}
 
 void Corrector::Boot() {
   store_invalid_ = store_.Read(&table_, &generation_) == Store::Load::kInvalid;
@@ -95,7 +96,7 @@ bool Corrector::RestoreFactory() {
 void Corrector::TakeTemperature(const Sample& sample) {
   temp_valid_ = IsPhysicalTemperature(sample.temp_degc);
   if (!temp_valid_) return;  // the last good one is the best guess
-  temp_degc_ = sample.temp_degc;
+  temp_degc_ = thermometer_.Take(sample.temp_degc, sample_);
   has_temp_ = true;
 }
 
@@ -132,14 +133,21 @@ bool Corrector::Vibrates() const {
   return false;
 }
 
+void Corrector::AddPresent(float temp_degc, Estimate* estimate) const {
+  for (int axis = 0; axis < kAxes; ++axis) {
+    estimate->zro_dps[axis] += residual_.At(axis, temp_degc, sample_);
+    if (quarantine_.follows()) estimate->zro_dps[axis] += quarantine_.shift_dps()[axis];
+  }
+}
+
 Output Corrector::Correct(const Sample& sample) {
-  const Estimate& estimate = EstimateNow();
+  Estimate estimate = EstimateNow();
+  AddPresent(temp_degc_, &estimate);
   Output out{};
   out.source = SourceOf(estimate);
   const bool applies = out.source != Source::kOff && estimate.valid && has_temp_;
   for (int axis = 0; axis < kAxes; ++axis) {
-    out.zro_dps[axis] =
-        applies ? estimate.zro_dps[axis] + residual_.At(axis, temp_degc_, sample_) : 0.0f;
+    out.zro_dps[axis] = applies ? estimate.zro_dps[axis] : 0.0f;
     out.rate_dps[axis] = sample.rate_dps[axis] - out.zro_dps[axis];
   }
   // Without a table the offset may be anything a gyro's datasheet allows.

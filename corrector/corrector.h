@@ -16,6 +16,7 @@
 #include "corrector/storage.h"
 #include "corrector/store.h"
 #include "corrector/table.h"
+#include "corrector/thermometer.h"
 #include "corrector/types.h"
 
 namespace zro {
@@ -76,6 +77,7 @@ class Corrector {
     bool said;
     bool judged;  ///< a reading of it was learned or refused
     bool voted;   ///< it had its say in the quarantine
+    bool clean;   ///< the pending mismatch may be evidence
   };
 
   void Learn(const Sample& sample);
@@ -83,6 +85,9 @@ class Corrector {
   void Judge();
   void Refuse(const Finding& finding, const Summary& reading);
   void Contradict(const Decision& decision, const Summary& reading);
+  Quarantine::Vote VoteOf(const Decision& decision, const Summary& reading) const;
+  bool IsClean(const Summary& reading) const;
+  void Follow(const Decision& decision, const Summary& reading);
   void Vote();
   void Confirm();
   void ShiftTable(const float shift_dps[kAxes]);
@@ -98,6 +103,8 @@ class Corrector {
   void TakeTemperature(const Sample& sample);
   void CommitIfDue();
   const Estimate& EstimateNow();
+  /// Adds to the table's offset what is known beyond it.
+  void AddPresent(float temp_degc, Estimate* estimate) const;
   Output Correct(const Sample& sample);
   Source SourceOf(const Estimate& estimate) const;
   bool Vibrates() const;
@@ -117,12 +124,13 @@ class Corrector {
   PresentNoise noise_;
   Quarantine quarantine_;
   Residual residual_;
+  Thermometer thermometer_;
   Period period_{};
-  Entry candidate_{};                      ///< the latest reading that the table contradicted ...
-  float candidate_shift_dps_[kAxes] = {};  ///< ... and by how much
-  Estimate estimate_{};                    ///< at estimate_degc_; holds while fresh_
+  Entry candidate_{};                  ///< the latest reading that the table contradicted ...
+  Quarantine::Vote candidate_vote_{};  ///< ... and what it says
+  Estimate estimate_{};                ///< at estimate_degc_; holds while fresh_
   float estimate_degc_ = 0.0f;
-  float temp_degc_ = 0.0f;  ///< last physical temperature
+  float temp_degc_ = 0.0f;  ///< last physical temperature, finer than a coarse sensor's step
   std::uint32_t generation_ = 0;
   std::uint32_t sample_ = 0;  ///< index of the present sample since boot
   std::uint32_t commit_at_ = 0;

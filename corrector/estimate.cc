@@ -68,7 +68,7 @@ Nodes Beyond(const Active& active, bool below, float distance_degc, float bin_de
   nodes.Add(active.at[outermost]);
   const float span = Max(bin_degc, distance_degc);
   const Entry* second = FirstBeyond(active, outermost + step, step, nodes.at[0], span);
-  if (second == nullptr && Gap(innermost, nodes.at[0]) >= bin_degc) second = innermost;
+  if (second == nullptr && Gap(innermost, nodes.at[0]) >= 0.5f * bin_degc) second = innermost;
   if (second == nullptr) return nodes;
   nodes.Add(second);
   const float reach = Gap(second, nodes.at[0]);
@@ -119,12 +119,26 @@ float ModelAt(const Nodes& n, float t) {
 }  // namespace
 
 Estimate Table::At(float temp_degc, int without) const {
+  Estimate all = Curve(temp_degc, without, true);
+  const Estimate learned = Curve(temp_degc, without, false);
+  if (!learned.valid || all.learned_only) return all;
+  const float share = Square(all.sigma_dps) / (Square(all.sigma_dps) + Square(learned.sigma_dps));
+  for (int axis = 0; axis < kAxes; ++axis) {
+    all.zro_dps[axis] += share * (learned.zro_dps[axis] - all.zro_dps[axis]);
+  }
+  all.noise_dps += share * (learned.noise_dps - all.noise_dps);
+  all.model_dps += share * (learned.model_dps - all.model_dps);
+  all.sigma_dps = sqrtf(Square(all.noise_dps) + Square(0.5f * all.model_dps));
+  return all;
+}
+
+Estimate Table::Curve(float temp_degc, int without, bool factory) const {
   Estimate estimate{};
   Active active;
   int right = 0;  // first active entry not below temp_degc
   float nearest_degc = 0.0f;
   for (int i = 0; i < size_; ++i) {
-    if (!IsActive(i, without)) continue;
+    if (!IsActive(i, without) || (!factory && entries_[i].origin == Origin::kFactory)) continue;
     const float distance = fabsf(entries_[i].temp_degc - temp_degc);
     if (active.count == 0 || distance < nearest_degc) nearest_degc = distance;
     if (entries_[i].temp_degc < temp_degc) right = active.count + 1;
@@ -145,6 +159,10 @@ Estimate Table::At(float temp_degc, int without) const {
   estimate.sigma_dps = sqrtf(Square(estimate.noise_dps) + Square(0.5f * estimate.model_dps));
   estimate.extrapolated = outside && estimate.distance_degc > 0.0f;
   estimate.valid = true;
+  estimate.learned_only = true;
+  for (int i = 0; i < nodes.count; ++i) {
+    estimate.learned_only = estimate.learned_only && nodes.at[i]->origin == Origin::kLearned;
+  }
   return estimate;
 }
 

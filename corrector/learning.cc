@@ -10,6 +10,7 @@ constexpr float kWatchS = 60.0f;        // between readings while the table is c
 constexpr float kMergeAgainS = 600.0f;  // one still may not corroborate itself faster
 constexpr float kSayAgainS = 60.0f;     // kRecentNothingToDo of the same bin and still
 constexpr float kCommitSoonS = 0.5f;    // new knowledge; gathers the writes of one moment
+constexpr float kCleanRatio = 1.15f;    // noise over its floor, of evidence: 5 sigma of 500 samples
 constexpr float kCommitMergesS = 3600.0f;
 constexpr std::uint8_t kConfirmedWeight = 3;  // readings after which a lone entry is trusted
 
@@ -35,7 +36,7 @@ void Corrector::Learn(const Sample& sample) {
     tested_ = false;
   }
   tested_ = tested_ || test_mode_;
-  reading_.Add(sample, temp_valid_);
+  reading_.Add(sample, temp_degc_, temp_valid_);
   if (reading_.ripe() && stillness_.still()) Judge();
 }
 
@@ -91,10 +92,31 @@ void Corrector::Refuse(const Finding& finding, const Summary& reading) {
   period_.resume_at = sample_ + Samples(kBackOffS * static_cast<float>(times < 3 ? times : 3));
 }
 
+Quarantine::Vote Corrector::VoteOf(const Decision& decision, const Summary& reading) const {
+  const bool lone = table_.size() == 1 && table_[0].origin == Origin::kLearned &&
+                    table_[0].weight < kConfirmedWeight;
+  const float sigma = sqrtf(Square(reading.sigma_dps) + Square(decision.expected_sigma_dps));
+  Quarantine::Vote vote{{}, sigma, config_.limits.max_step_dps, sample_, lone};
+  for (int axis = 0; axis < kAxes; ++axis) {
+    vote.shift_dps[axis] = reading.zro_dps[axis] - decision.expected_dps[axis];
+  }
+  return vote;
+}
+
+bool Corrector::IsClean(const Summary& reading) const {
+  for (int axis = 0; axis < kAxes; ++axis) {
+    if (floor_.Ratio(reading.std_dps[axis], axis) > kCleanRatio) return false;
+  }
+  return true;
+}
+
 void Corrector::Contradict(const Decision& decision, const Summary& reading) {
   candidate_ = EntryOf(reading);
-  for (int axis = 0; axis < kAxes; ++axis) {
-    candidate_shift_dps_[axis] = reading.zro_dps[axis] - decision.expected_dps[axis];
+  candidate_vote_ = VoteOf(decision, reading);
+  period_.clean = IsClean(reading);
+  if (period_.clean && quarantine_.Agrees(candidate_vote_)) {
+    Follow(decision, reading);
+    return;
   }
   if (period_.refusals < config_.max_retries) {
     Finding retry = decision.finding;
@@ -108,14 +130,27 @@ void Corrector::Contradict(const Decision& decision, const Summary& reading) {
   Vote();
 }
 
+void Corrector::Follow(const Decision& decision, const Summary& reading) {
+  if (!period_.voted) {
+    Emit(decision.finding, reading.temp_degc, reading.zro_dps);
+    period_.pending = {};
+    Vote();
+  }
+  if (!quarantine_.follows()) return;
+  Estimate prior = table_.At(reading.temp_degc);
+  float table[kAxes];
+  for (int axis = 0; axis < kAxes; ++axis) {
+    table[axis] = decision.expected_dps[axis] + quarantine_.shift_dps()[axis];
+  }
+  AddPresent(reading.temp_degc, &prior);
+  residual_.Take(reading, prior, table, sample_);
+}
+
 void Corrector::Vote() {
-  if (period_.voted) return;
+  if (period_.voted || !period_.clean) return;
   period_.voted = true;
-  const bool lone = table_.size() == 1 && table_[0].origin == Origin::kLearned &&
-                    table_[0].weight < kConfirmedWeight;
-  Quarantine::Vote vote{{}, config_.limits.max_step_dps, sample_, lone};
-  for (int axis = 0; axis < kAxes; ++axis) vote.shift_dps[axis] = candidate_shift_dps_[axis];
-  const Quarantine::Verdict verdict = quarantine_.Add(vote);
+  const bool lone = candidate_vote_.lone;
+  const Quarantine::Verdict verdict = quarantine_.Add(candidate_vote_);
   const auto votes = static_cast<float>(quarantine_.votes());
   const auto needed = static_cast<float>(lone ? Quarantine::kVotesLone : Quarantine::kVotes);
   if (verdict == Quarantine::Verdict::kReplaced) {
@@ -171,6 +206,8 @@ void Corrector::Accept(const Decision& decision, const Summary& reading) {
     Emit({Code::kQuarantineExpired, kNoAxis, votes, static_cast<float>(Quarantine::kVotes)},
          reading.temp_degc, reading.zro_dps);
   }
+  Estimate prior = table_.At(reading.temp_degc);
+  AddPresent(reading.temp_degc, &prior);
   const bool unknown = decision.finding.code == Code::kNew;  // a temperature beyond the coverage
   if (complete_ && !unknown) {  // STOP: the reading only showed that the table still holds
     period_.waiting = true;
@@ -180,14 +217,14 @@ void Corrector::Accept(const Decision& decision, const Summary& reading) {
   } else {
     Write(decision, reading);
   }
-  residual_.Take(reading, table_.At(reading.temp_degc).zro_dps, sample_);
+  residual_.Take(reading, prior, table_.At(reading.temp_degc).zro_dps, sample_);
 }
 
 void Corrector::Write(const Decision& decision, const Summary& reading) {
   Entry entry = EntryOf(reading);
   const bool merges = decision.finding.code == Code::kMerged;
   if (merges) {
-    entry = Merge(table_[decision.entry], reading, Ages());
+    entry = Merge(table_[decision.entry], reading, Ages(), MayMerge(reading.temp_degc));
     if (date_ != 0) entry.date = date_;
   }
   if (decision.entry >= 0) {

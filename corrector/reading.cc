@@ -30,7 +30,7 @@ void Reading::Note(const Sample& sample, bool temp_valid) {
   if (!temp_valid) ++bad_temperatures_;
 }
 
-void Reading::Average(const Sample& sample, bool temp_valid) {
+void Reading::Average(const Sample& sample, float temp_degc, bool temp_valid) {
   ++n_;
   const float gain = 1.0f / static_cast<float>(n_);
   for (int axis = 0; axis < kAxes; ++axis) {
@@ -40,13 +40,13 @@ void Reading::Average(const Sample& sample, bool temp_valid) {
   }
   if (!temp_valid) return;
   ++temperatures_;
-  if (temperatures_ == 1) mean_degc_ = least_degc_ = most_degc_ = sample.temp_degc;
-  mean_degc_ += (sample.temp_degc - mean_degc_) / static_cast<float>(temperatures_);
-  least_degc_ = Min(least_degc_, sample.temp_degc);
-  most_degc_ = Max(most_degc_, sample.temp_degc);
+  if (temperatures_ == 1) mean_degc_ = least_degc_ = most_degc_ = temp_degc;
+  mean_degc_ += (temp_degc - mean_degc_) / static_cast<float>(temperatures_);
+  least_degc_ = Min(least_degc_, temp_degc);
+  most_degc_ = Max(most_degc_, temp_degc);
 }
 
-void Reading::Add(const Sample& sample, bool temp_valid) {
+void Reading::Add(const Sample& sample, float temp_degc, bool temp_valid) {
   if (target_ == 0) return;
   if (n_ >= target_) {
     ++guard_;
@@ -57,7 +57,7 @@ void Reading::Add(const Sample& sample, bool temp_valid) {
     ++lost_;
     return;
   }
-  Average(sample, temp_valid);
+  Average(sample, temp_degc, temp_valid);
   if (n_ != target_ / 2) return;
   half_n_ = n_;
   half_degc_ = mean_degc_;

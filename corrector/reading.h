@@ -32,8 +32,8 @@ class Reading {
   void Restart(std::uint32_t target);
   void Stop() { target_ = 0; }
   bool gathering() const { return target_ > 0; }
-  /// `temp_valid`: the sample's own temperature is physical.
-  void Add(const Sample& sample, bool temp_valid);
+  /// `temp_degc`: stands in for the sample's own, which is physical when `temp_valid`.
+  void Add(const Sample& sample, float temp_degc, bool temp_valid);
 
   bool ripe() const { return target_ > 0 && n_ >= target_ && guard_ >= guard_samples_; }
   std::uint32_t gathered() const { return n_; }
@@ -42,7 +42,7 @@ class Reading {
 
  private:
   void Note(const Sample& sample, bool temp_valid);
-  void Average(const Sample& sample, bool temp_valid);
+  void Average(const Sample& sample, float temp_degc, bool temp_valid);
 
   float sample_hz_;
   std::uint32_t guard_samples_;

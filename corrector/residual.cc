@@ -3,12 +3,22 @@
 #include "corrector/arithmetic.h"
 
 namespace zro {
+namespace {
 
-void Residual::Take(const Summary& reading, const float table_dps[kAxes], std::uint32_t sample) {
-  const float noise = Square(reading.sigma_dps);
+// Two readings in a row weigh as one of half the variance; what lag and hysteresis add in the
+// minutes between them is followed by half at once.
+constexpr float kLeastGain = 0.5f;
+
+}  // namespace
+
+void Residual::Take(const Summary& reading, const Estimate& prior, const float table_dps[kAxes],
+                    std::uint32_t sample) {
+  const float doubt = Square(prior.sigma_dps);
+  const float gain =
+      prior.valid ? Max(kLeastGain, doubt / (doubt + Square(reading.sigma_dps))) : 1.0f;
   for (int axis = 0; axis < kAxes; ++axis) {
-    const float difference = reading.zro_dps[axis] - table_dps[axis];
-    difference_dps_[axis] = difference * Square(difference) / (Square(difference) + 4.0f * noise);
+    const float now = prior.zro_dps[axis] + gain * (reading.zro_dps[axis] - prior.zro_dps[axis]);
+    difference_dps_[axis] = now - table_dps[axis];
   }
   temp_degc_ = reading.temp_degc;
   sample_ = sample;

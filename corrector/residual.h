@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "corrector/reading.h"
+#include "corrector/table.h"
 #include "corrector/types.h"
 
 namespace zro {
@@ -18,9 +19,10 @@ class Residual {
 
   explicit Residual(float sample_hz) : fade_samples_(kFadeS * sample_hz) {}
 
-  /// `table_dps`: the table's offset at the reading's temperature. A difference within the
-  /// reading's noise is mostly dropped, a clear one kept.
-  void Take(const Summary& reading, const float table_dps[kAxes], std::uint32_t sample);
+  /// `prior`: what was to be subtracted at the reading's temperature before it, and how sure that
+  /// was; `table_dps`: the table's offset there, the reading already in it.
+  void Take(const Summary& reading, const Estimate& prior, const float table_dps[kAxes],
+            std::uint32_t sample);
   void Clear() { held_ = false; }
   /// Forgets it once faded, so that it cannot come back when the sample index wraps.
   void Expire(std::uint32_t sample);

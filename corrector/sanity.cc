@@ -12,6 +12,7 @@ constexpr float kMaxSteps = 3.0f;
 constexpr float kMaxStepsLone = 10.0f;
 constexpr float kAgreeSigmas = 2.0f;
 constexpr std::uint8_t kSettledWeight = 3;  // below it every reading is welcome
+constexpr float kFineShare = 0.5f;
 constexpr float kLeastMergeGain = 0.125f;
 
 int ActiveEntries(const Table& table) {
@@ -38,13 +39,16 @@ bool IsClose(const Finding& f) { return f.value <= f.limit; }
 
 /// Fig. 5, 54: what becomes of a sane reading whose bin has an entry.
 Code Update(const Entry& entry, const Summary& reading, const Age& age, float difference_dps,
-            bool may_merge) {
+            bool may_merge, bool lone) {
   if (age.IsOld(entry)) return Code::kOverwroteOld;
   if (!age.IsRecent(entry)) return Code::kMerged;
   const float sigma = sqrtf(Square(entry.sigma_dps) + Square(reading.sigma_dps));
   const bool tells_nothing =
       entry.weight >= kSettledWeight && difference_dps <= kAgreeSigmas * sigma;
-  return may_merge && !tells_nothing ? Code::kMerged : Code::kRecentNothingToDo;
+  const bool coarse = entry.sigma_dps > kFineShare * reading.sigma_dps;
+  return (may_merge && !tells_nothing) || (!may_merge && coarse && !lone)
+             ? Code::kMerged
+             : Code::kRecentNothingToDo;
 }
 
 }  // namespace
@@ -61,15 +65,18 @@ Decision CheckSanity(const Table& table, const Summary& reading, const Age& age,
   }
   const Estimate expected = table.At(reading.temp_degc);
   for (int axis = 0; axis < kAxes; ++axis) d.expected_dps[axis] = expected.zro_dps[axis];
+  d.expected_sigma_dps = expected.sigma_dps;
   const bool entry_is_close = expected.distance_degc <= table.bin_degc();
   const Code refusal = entry_is_close ? Code::kDiffersFromEntry : Code::kDiffersFromEstimate;
-  const float max_steps = ActiveEntries(table) == 1 ? kMaxStepsLone : kMaxSteps;
+  const bool lone = ActiveEntries(table) == 1;
+  const float max_steps = lone ? kMaxStepsLone : kMaxSteps;
   d.finding = Compare(
       refusal, expected, reading,
       Tolerance(expected, reading, age.SigmaOf(table[near]), limits.max_step_dps, max_steps));
   if (IsClose(d.finding)) {  // 59, by way of 54 when the bin has an entry
-    d.finding.code =
-        d.entry < 0 ? Code::kNew : Update(table[d.entry], reading, age, d.finding.value, may_merge);
+    d.finding.code = d.entry < 0
+                         ? Code::kNew
+                         : Update(table[d.entry], reading, age, d.finding.value, may_merge, lone);
     return d;
   }
   if (!entry_is_close) return d;  // 58
@@ -87,7 +94,7 @@ Decision CheckSanity(const Table& table, const Summary& reading, const Age& age,
   return d;
 }
 
-Entry Merge(const Entry& entry, const Summary& reading, const Age& age) {
+Entry Merge(const Entry& entry, const Summary& reading, const Age& age, bool corroborates) {
   const float old_variance = Square(entry.sigma_dps) + Square(age.SigmaOf(entry));
   const float new_variance = Square(reading.sigma_dps);
   const float gain = Max(old_variance / (old_variance + new_variance), kLeastMergeGain);
@@ -97,7 +104,7 @@ Entry Merge(const Entry& entry, const Summary& reading, const Age& age) {
     merged.zro_dps[axis] += gain * (reading.zro_dps[axis] - entry.zro_dps[axis]);
   }
   merged.sigma_dps = sqrtf(Square(1.0f - gain) * old_variance + Square(gain) * new_variance);
-  if (merged.weight < 255) ++merged.weight;
+  if (corroborates && merged.weight < 255) ++merged.weight;
   return merged;
 }
 

@@ -15,15 +15,17 @@ struct Decision {
   Finding finding;
   int entry;                  ///< entry to merge with or overwrite; -1: none in this bin
   float expected_dps[kAxes];  ///< by the table at the reading's temperature; 0 when empty
+  float expected_sigma_dps;   ///< 1 sigma of it
 };
 
-/// Pure function of its arguments; changes nothing. `may_merge`: a recent entry may take the
-/// reading in (otherwise: nothing to do).
+/// Pure function of its arguments; changes nothing. `may_merge`: a recent entry may be corroborated
+/// by the reading; otherwise it is taken in only while that makes a coarse entry finer.
 Decision CheckSanity(const Table& table, const Summary& reading, const Age& age,
                      const Limits& limits, bool may_merge);
 
 /// The entry a reading makes of `entry` when merged by variance. Unlike a plain average it never
-/// settles for good: the newest reading always has at least an eighth.
-Entry Merge(const Entry& entry, const Summary& reading, const Age& age);
+/// settles for good: the newest reading always has at least an eighth. `corroborates`: it is
+/// another witness, not more of the same still.
+Entry Merge(const Entry& entry, const Summary& reading, const Age& age, bool corroborates);
 
 }  // namespace zro

@@ -25,9 +25,10 @@ struct Estimate {
   float sigma_dps;      ///< 1 sigma: noise_dps, and half of model_dps, in quadrature
   float distance_degc;  ///< to the nearest entry
   bool extrapolated;
-  bool valid;       ///< false when the table is empty
-  float noise_dps;  ///< 1 sigma from the entries' own uncertainties
-  float model_dps;  ///< bound on what the unknown shape between and beyond them may add
+  bool valid;         ///< false when the table is empty
+  bool learned_only;  ///< no factory entry had a say
+  float noise_dps;    ///< 1 sigma from the entries' own uncertainties
+  float model_dps;    ///< bound on what the unknown shape between and beyond them may add
 };
 
 /// Sorted by temperature, fixed capacity, at most one learned and one factory entry a bin. Plain
@@ -83,6 +84,8 @@ class Table {
 
  private:
   int Displaceable() const;
+  /// The curve through the active entries, or the learned ones among them.
+  Estimate Curve(float temp_degc, int without, bool factory) const;
 
   Entry entries_[kCapacity] = {};
   int size_ = 0;

@@ -95,6 +95,11 @@ TEST(Patent, Fig5Block57_RecentEntryThatAgreesLeavesNothingToDo) {
   EXPECT_EQ(Check(table, ReadAt(20.6f)).finding.code, Code::kRecentNothingToDo);
   // A close one that says a little more is merged, where that is allowed; never overwritten.
   EXPECT_EQ(Check(table, ReadAt(20.6f, 0.03f)).finding.code, Code::kMerged);
+  // More of the same still makes a coarse entry finer, a fine one needs no more of it.
+  EXPECT_EQ(Check(table, ReadAt(20.6f), kToday, false).finding.code, Code::kMerged);
+  Entry fine = At(20.5f, Origin::kLearned, kToday);
+  fine.sigma_dps = 0.001f;
+  table.Insert(fine);
   EXPECT_EQ(Check(table, ReadAt(20.6f, 0.03f), kToday, false).finding.code,
             Code::kRecentNothingToDo);
 }
@@ -148,12 +153,14 @@ TEST(Fig5, MergeWeighsByVarianceAndKeepsListening) {
   const Age age(kToday, config);
   Entry sure = At(20.5f, Origin::kLearned, kToday);
   sure.sigma_dps = 0.0001f;
-  const Entry merged = Merge(sure, ReadAt(20.5f, 0.04f), age);
+  const Entry merged = Merge(sure, ReadAt(20.5f, 0.04f), age, true);
   EXPECT_NEAR(merged.zro_dps[0], Curve(20.5f) + 0.005f, 1e-4f);  // an eighth at least
   Entry vague = At(20.5f, Origin::kLearned, kToday);
   vague.sigma_dps = 0.1f;
-  EXPECT_NEAR(Merge(vague, ReadAt(20.5f, 0.04f), age).zro_dps[0], Curve(20.5f) + 0.04f, 1e-3f);
+  EXPECT_NEAR(Merge(vague, ReadAt(20.5f, 0.04f), age, true).zro_dps[0], Curve(20.5f) + 0.04f,
+              1e-3f);
   EXPECT_EQ(merged.weight, 4);
+  EXPECT_EQ(Merge(sure, ReadAt(20.5f), age, false).weight, 3);  // one still is one witness
 }
 
 }  // namespace

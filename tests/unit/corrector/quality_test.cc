@@ -23,7 +23,7 @@ Summary Read(Touch touch) {
     s.temp_degc = 25.0f;
     s.elapsed = 1;
     touch(i, &s);
-    reading.Add(s, IsPhysicalTemperature(s.temp_degc));
+    reading.Add(s, s.temp_degc, IsPhysicalTemperature(s.temp_degc));
   }
   return reading.Summarise();
 }

@@ -14,7 +14,11 @@ using Verdict = Quarantine::Verdict;
 
 constexpr float kHz = 10.0f;
 Quarantine::Vote VoteAt(float minute, float shift_dps, bool lone = false) {
-  return {{shift_dps, 0.0f, 0.0f}, 0.05f, static_cast<std::uint32_t>(minute * 60.0f * kHz), lone};
+  return {{shift_dps, 0.0f, 0.0f},
+          0.003f,
+          0.05f,
+          static_cast<std::uint32_t>(minute * 60.0f * kHz),
+          lone};
 }
 
 TEST(Quarantine, SixVotesInFewMinutesAreNotEnough) {
@@ -31,6 +35,31 @@ TEST(Quarantine, HalfAnHourWithFewVotesIsNotEnough) {
   }
   EXPECT_EQ(q.Add(VoteAt(41.0f, 0.2f)), Verdict::kConfirmed);
   EXPECT_NEAR(q.shift_dps()[0], 0.2f, 1e-6f);
+}
+
+TEST(Quarantine, OutputFollowsASecondWitnessAndLargeShiftsOnlyMore) {
+  for (const auto& [shift_dps, votes] : {std::pair{0.25f, 2}, {0.5f, 3}, {1.0f, 5}, {9.0f, 6}}) {
+    Quarantine q(kHz);
+    for (int i = 1; i <= 8; ++i) {
+      q.Add(VoteAt(static_cast<float>(i), shift_dps));
+      EXPECT_EQ(q.follows(), i >= votes) << shift_dps << " dps, " << i << " votes";
+    }
+    EXPECT_TRUE(q.Clear());
+    EXPECT_FALSE(q.follows());
+  }
+}
+
+TEST(Quarantine, AgreementIsWithinTheJointUncertainty) {
+  Quarantine q(kHz);
+  EXPECT_FALSE(q.Agrees(VoteAt(0.0f, 0.2f)));  // with nothing
+  q.Add(VoteAt(0.0f, 0.2f));
+  EXPECT_TRUE(q.Agrees(VoteAt(1.0f, 0.225f)));
+  EXPECT_FALSE(q.Agrees(VoteAt(1.0f, 0.235f)));
+  Quarantine::Vote vague = VoteAt(1.0f, 0.235f);
+  vague.sigma_dps = 0.02f;
+  EXPECT_TRUE(q.Agrees(vague));
+  vague.shift_dps[0] = 0.26f;  // never farther apart than a step
+  EXPECT_FALSE(q.Agrees(vague));
 }
 
 TEST(Quarantine, DisagreementStartsAnew) {
@@ -92,6 +121,62 @@ TEST(GenuineShift, IsConfirmedAfterHalfAnHourAndMovesTheWholeTable) {
   EXPECT_EQ(bench.table()[remote].date, 0);  // shifted unseen: old, to be renewed by a reading
   bench.corrector().RestoreFactory();        // the factory's own figures were kept
   EXPECT_NEAR(bench.table().At(25.0f).zro_dps[0], test::TrueOffset(25.0)[0], 0.006);
+}
+
+double OutputErrorAfter(Bench& bench, double still_s, Vector shift_dps) {
+  double error = 0.0;
+  bench.Run(
+      still_s,
+      [&](double) {
+        return Scene{25.0, shift_dps};
+      },
+      [&](const Scene& scene, const Output& out) {
+        error = 0.0;
+        for (std::size_t i = 0; i < 3; ++i) {
+          const double truth = test::TrueOffset(scene.temp_degc)[i] + shift_dps[i];
+          error = std::max(error, std::abs(static_cast<double>(out.zro_dps[i]) - truth));
+        }
+      });
+  bench.Shake(40.0, 25.0);
+  return error;
+}
+
+TEST(GenuineShift, OutputFollowsAtTheSecondStillAndReturnsAtTheFirstThatDisagrees) {
+  Bench bench(Slow());
+  bench.corrector().SetDate(15000);
+  bench.AddFactory({10, 25, 40});
+  Stills(bench, 5, {0, 0, 0});
+  const int writes = bench.Writes();
+  const Vector shift = {0.2, -0.15, 0};
+  EXPECT_GT(OutputErrorAfter(bench, 20.0, shift), 0.18);
+  EXPECT_LT(OutputErrorAfter(bench, 7.0, shift), 0.015);  // one reading of the second still
+  EXPECT_LT(OutputErrorAfter(bench, 7.0, shift), 0.015);
+  EXPECT_EQ(bench.Writes(), writes);  // the table has not moved
+  EXPECT_LT(bench.ErrorAt(25.0), 0.01);
+  EXPECT_LT(OutputErrorAfter(bench, 7.0, {0, 0, 0}), 0.015);
+  EXPECT_EQ(bench.Count(Code::kShiftConfirmed), 0);
+}
+
+TEST(GenuineShift, HalfADegreeASecondTwiceInARowIsNotFollowed) {
+  Bench bench(Slow());
+  bench.corrector().SetDate(15000);
+  bench.AddFactory({10, 25, 40});
+  Stills(bench, 5, {0, 0, 0});
+  for (int i = 0; i < 2; ++i) EXPECT_GT(OutputErrorAfter(bench, 20.0, {0, 0, 0.5}), 0.48);
+  EXPECT_LT(OutputErrorAfter(bench, 7.0, {0, 0, 0}), 0.015);
+}
+
+TEST(GenuineShift, NoiseALittleAboveItsFloorIsNoEvidence) {
+  Bench bench(Slow());
+  bench.corrector().SetDate(15000);
+  bench.AddFactory({10, 25, 40});
+  Stills(bench, 5, {0, 0, 0});
+  for (int i = 0; i < 4; ++i) {
+    bench.Run(20.0, [](double) { return Scene{25.0, {0.2, 0, 0}, 1.25}; });
+    bench.Shake(40.0);
+  }
+  EXPECT_GE(bench.Count(Code::kDiffersFromEntry), 1);  // let through to figure 5
+  EXPECT_EQ(bench.Count(Code::kQuarantined), 0);
 }
 
 TEST(GenuineShift, QuarterOfAnHourOfSlowRotationIsNotBelieved) {

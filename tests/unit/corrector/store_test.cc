@@ -166,6 +166,7 @@ TEST(CorrectorStore, FailingMemoryIsNotHammeredHoweverMuchIsLearned) {
   bench.storage.fail_writes = false;
   bench.Rest(60.0, 25.0);
   EXPECT_FALSE(bench.corrector().store_failing());
+  EXPECT_TRUE(bench.corrector().Commit());  // what merged since
   Corrector reborn(Config{}, &bench.storage);
   reborn.Boot();
   EXPECT_EQ(ImageOf(reborn.table()), ImageOf(bench.table()));
