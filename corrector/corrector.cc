@@ -6,6 +6,7 @@ namespace zro {
 namespace {
 
 constexpr float kRetryCommitS = 60.0f;  // a failing memory is not hammered
+constexpr float kLineDegc = 0.125f;     // the curve is straight this far
 
 }  // namespace
 
@@ -104,14 +105,23 @@ void Corrector::CommitIfDue() {
   if (commit_due_ && Due(commit_at_)) Commit();
 }
 
-const Estimate& Corrector::EstimateNow() {
-  // The sensor is slower than the samples: most of them find the estimate of the one before.
-  if (!fresh_ || estimate_degc_ != temp_degc_) {
+Estimate Corrector::EstimateNow() {
+  // A look-up costs as much as ten samples; temperatures move slowly. Between two it is a line.
+  if (!fresh_ || fabsf(temp_degc_ - estimate_degc_) > kLineDegc) {
     estimate_ = table_.At(temp_degc_);
+    const Estimate beyond = table_.At(temp_degc_ + kLineDegc);
+    for (int axis = 0; axis < kAxes; ++axis) {
+      slope_dps_per_degc_[axis] = (beyond.zro_dps[axis] - estimate_.zro_dps[axis]) / kLineDegc;
+    }
+    nearest_ = static_cast<std::int8_t>(table_.Nearest(temp_degc_));
     estimate_degc_ = temp_degc_;
     fresh_ = true;
   }
-  return estimate_;
+  Estimate now = estimate_;
+  for (int axis = 0; axis < kAxes; ++axis) {
+    now.zro_dps[axis] += slope_dps_per_degc_[axis] * (temp_degc_ - estimate_degc_);
+  }
+  return now;
 }
 
 Source Corrector::SourceOf(const Estimate& estimate) const {
@@ -128,16 +138,21 @@ Source Corrector::SourceOf(const Estimate& estimate) const {
 bool Corrector::Vibrates() const {
   if (!stillness_.still()) return false;
   for (int axis = 0; axis < kAxes; ++axis) {
-    if (floor_.Ratio(noise_.Std(axis), axis) > config_.limits.max_vibration_ratio) return true;
+    if (floor_.IsExceeded(noise_.Variance(axis), config_.limits.max_vibration_ratio, axis)) {
+      return true;
+    }
   }
   return false;
 }
 
 void Corrector::AddPresent(float temp_degc, Estimate* estimate) const {
+  residual_.AddTo(estimate->zro_dps, temp_degc, sample_);
+  if (!quarantine_.follows()) return;
   for (int axis = 0; axis < kAxes; ++axis) {
-    estimate->zro_dps[axis] += residual_.At(axis, temp_degc, sample_);
-    if (quarantine_.follows()) estimate->zro_dps[axis] += quarantine_.shift_dps()[axis];
+    estimate->zro_dps[axis] += quarantine_.shift_dps()[axis];
   }
+  const float doubt = 0.5f * config_.limits.max_step_dps;  // it need not be the same all over
+  estimate->sigma_dps = sqrtf(Square(estimate->sigma_dps) + Square(doubt));
 }
 
 Output Corrector::Correct(const Sample& sample) {
@@ -152,7 +167,7 @@ Output Corrector::Correct(const Sample& sample) {
   }
   // Without a table the offset may be anything a gyro's datasheet allows.
   out.sigma_dps = applies ? estimate.sigma_dps : config_.limits.max_bias_dps / 3.0f;
-  const int nearest = has_temp_ ? table_.Nearest(temp_degc_) : -1;
+  const int nearest = has_temp_ ? nearest_ : -1;
   out.bin = nearest < 0 ? kNoBin : WireBin(table_[nearest].temp_degc);
   out.age_days = nearest < 0 ? Age::kUnknown : Ages().Of(table_[nearest]);
   out.still = stillness_.still();

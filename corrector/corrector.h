@@ -102,7 +102,7 @@ class Corrector {
 
   void TakeTemperature(const Sample& sample);
   void CommitIfDue();
-  const Estimate& EstimateNow();
+  Estimate EstimateNow();
   /// Adds to the table's offset what is known beyond it.
   void AddPresent(float temp_degc, Estimate* estimate) const;
   Output Correct(const Sample& sample);
@@ -126,9 +126,10 @@ class Corrector {
   Residual residual_;
   Thermometer thermometer_;
   Period period_{};
-  Entry candidate_{};                  ///< the latest reading that the table contradicted ...
-  Quarantine::Vote candidate_vote_{};  ///< ... and what it says
-  Estimate estimate_{};                ///< at estimate_degc_; holds while fresh_
+  Entry candidate_{};                     ///< the latest reading that the table contradicted ...
+  Quarantine::Vote candidate_vote_{};     ///< ... and what it says
+  Estimate estimate_{};                   ///< at estimate_degc_; holds while fresh_ ...
+  float slope_dps_per_degc_[kAxes] = {};  ///< ... with this slope about it
   float estimate_degc_ = 0.0f;
   float temp_degc_ = 0.0f;  ///< last physical temperature, finer than a coarse sensor's step
   std::uint32_t generation_ = 0;
@@ -136,6 +137,7 @@ class Corrector {
   std::uint32_t commit_at_ = 0;
   std::uint32_t last_commit_ = 0;
   std::uint16_t date_ = 0;
+  std::int8_t nearest_ = -1;  ///< entry, of estimate_degc_
   bool started_ = false;
   bool has_temp_ = false;
   bool temp_valid_ = false;  ///< the present sample's own temperature is physical

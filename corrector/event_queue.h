@@ -8,7 +8,7 @@ namespace zro {
 /// The latest events not yet taken, oldest first. When full the oldest give way and are counted.
 class EventQueue {
  public:
-  static constexpr int kCapacity = 8;  // a step makes at most five
+  static constexpr int kCapacity = 7;  // a step makes at most five
 
   /// Numbers the event and keeps it.
   void Push(Event event);

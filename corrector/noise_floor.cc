@@ -30,6 +30,11 @@ float NoiseFloor::Ratio(float std_dps, int axis) const {
   return std_dps / (floor_dps_[axis] * (learned_[axis] ? 1.0f : kGuessTolerance));
 }
 
+bool NoiseFloor::IsExceeded(float variance_dps2, float limit, int axis) const {
+  return variance_dps2 >
+         Square(limit * floor_dps_[axis] * (learned_[axis] ? 1.0f : kGuessTolerance));
+}
+
 PresentNoise::PresentNoise(float sample_hz) : gain_(1.0f / (kMemoryS * sample_hz)) {}
 
 void PresentNoise::Add(const float rate_dps[kAxes]) {
@@ -42,7 +47,5 @@ void PresentNoise::Add(const float rate_dps[kAxes]) {
   }
   primed_ = true;
 }
-
-float PresentNoise::Std(int axis) const { return sqrtf(squares_[axis]); }
 
 }  // namespace zro

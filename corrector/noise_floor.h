@@ -24,6 +24,8 @@ class NoiseFloor {
 
   /// Noise of an axis over its floor; divided by kGuessTolerance while the floor is a guess.
   float Ratio(float std_dps, int axis) const;
+  /// Whether that ratio is above `limit`, from the square: once a sample, without a root.
+  bool IsExceeded(float variance_dps2, float limit, int axis) const;
 
  private:
   float floor_dps_[kAxes];
@@ -38,8 +40,8 @@ class PresentNoise {
 
   explicit PresentNoise(float sample_hz);
   void Add(const float rate_dps[kAxes]);
-  /// Standard deviation of a sample.
-  float Std(int axis) const;
+  /// Variance of a sample, dps^2.
+  float Variance(int axis) const { return squares_[axis]; }
 
  private:
   float gain_;

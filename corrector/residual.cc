@@ -29,11 +29,13 @@ void Residual::Expire(std::uint32_t sample) {
   if (held_ && static_cast<float>(sample - sample_) >= fade_samples_) held_ = false;
 }
 
-float Residual::At(int axis, float temp_degc, std::uint32_t sample) const {
-  if (!held_) return 0.0f;
+void Residual::AddTo(float zro_dps[kAxes], float temp_degc, std::uint32_t sample) const {
+  if (!held_) return;
   const float by_time = 1.0f - static_cast<float>(sample - sample_) / fade_samples_;
   const float by_temp = 1.0f - fabsf(temp_degc - temp_degc_) / kFadeDegc;
-  return by_time <= 0.0f || by_temp <= 0.0f ? 0.0f : difference_dps_[axis] * by_time * by_temp;
+  if (by_time <= 0.0f || by_temp <= 0.0f) return;
+  const float share = by_time * by_temp;
+  for (int axis = 0; axis < kAxes; ++axis) zro_dps[axis] += share * difference_dps_[axis];
 }
 
 }  // namespace zro

@@ -27,8 +27,8 @@ class Residual {
   /// Forgets it once faded, so that it cannot come back when the sample index wraps.
   void Expire(std::uint32_t sample);
 
-  /// To be added to the table's offset of `axis`, dps.
-  float At(int axis, float temp_degc, std::uint32_t sample) const;
+  /// Adds it to the table's offset, dps.
+  void AddTo(float zro_dps[kAxes], float temp_degc, std::uint32_t sample) const;
 
  private:
   float fade_samples_;

@@ -62,8 +62,9 @@ Line FitAtZero(const std::vector<double>& x, const std::vector<double>& y) {
     sxy += (x[i] - mx) * (y[i] - my);
   }
   // On a soak the temperature hardly moves and a slope would only be noise.
-  constexpr double kMinSpread_degc = 0.1;
-  const bool sloped = sxx / n > kMinSpread_degc * kMinSpread_degc;
+  // A few blocks of a ramp beside a long soak are enough: all lie on one line, at their own x.
+  constexpr double kMinSquares_degc2 = 0.1;
+  const bool sloped = sxx > kMinSquares_degc2;
   const double slope = sloped ? sxy / sxx : 0;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double r = y[i] - my - slope * (x[i] - mx);

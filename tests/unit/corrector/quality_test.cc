@@ -154,7 +154,7 @@ TEST(Quality, PresentNoiseSeesAToneNotASlope) {
     const float rates[3] = {rate, rate, rate};
     noise.Add(rates);
   }
-  EXPECT_NEAR(noise.Std(0), 0.05f, 0.012f);
+  EXPECT_NEAR(sqrtf(noise.Variance(0)), 0.05f, 0.012f);
 }
 
 }  // namespace

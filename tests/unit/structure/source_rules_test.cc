@@ -74,6 +74,8 @@ TEST(SourceRules, TheCorrectorIsFreestanding) {
   EXPECT_THAT(FreestandingFaults("corrector/a.cc", "double x;\nfloat y;\n"),
               ElementsAre(HasSubstr("corrector/a.cc:1: double")));
   EXPECT_THAT(FreestandingFaults("corrector/a.cc", "auto* p = new int;\n"), SizeIs(1));
+  EXPECT_THAT(FreestandingFaults("corrector/a.cc", "#include <new>\nnew (place) int;\n"),
+              IsEmpty());  // in place: no heap
   EXPECT_THAT(FreestandingFaults("corrector/a.cc",
                                  "A(const A&) = delete;\n#include <cmath>\n"
                                  "// a new, double entry\n"),
