@@ -1,6 +1,9 @@
 #include "corrector/store.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
 
 #include "corrector/crc32.h"
 #include "tests/unit/corrector/bench.h"
@@ -89,6 +92,66 @@ TEST(Store, NewestSlotHoldsEvenWhenTheSequenceWraps) {
   std::uint32_t generation = 0;
   ASSERT_EQ(Store(&storage).Read(&table, &generation), Store::Load::kLoaded);
   EXPECT_FLOAT_EQ(table[0].zro_dps[0], 2.0f);
+}
+
+TEST(Store, SlotsOfVersionOneAreReadForEver) {  // these very bytes are in the field
+  const Bytes head = {
+      0x5A, 0x52, 0x4F, 0x54, 0x01, 0x00, 0x40, 0x00, 0x29, 0x00, 0x00, 0x00, 0x01,
+      0x00, 0x02, 0x00, 0x07, 0x00, 0x00, 0x00, 0x02, 0x00, 0x00, 0x00, 0x00, 0x00,
+      0x00, 0x00, 0x00, 0x00, 0xA0, 0x41, 0x00, 0x00, 0x00, 0x3F, 0x00, 0x00, 0xA0,
+      0xBF, 0x00, 0x00, 0x00, 0x3E, 0x0A, 0xD7, 0x23, 0x3C, 0x00, 0x00, 0x01, 0x01,
+      0x00, 0x00, 0xBC, 0x41, 0x00, 0x00, 0x10, 0x3F, 0x00, 0x00, 0xB0, 0xBF, 0x00,
+      0x00, 0x80, 0x3E, 0x0A, 0xD7, 0x23, 0x3B, 0x98, 0x3A, 0x03, 0x02,
+  };
+  RamStorage storage;
+  Bytes& slot = storage.slots[0];
+  slot.assign(Store::kSlotBytes, 0);
+  std::copy(head.begin(), head.end(), slot.begin());
+  const std::uint32_t crc = 0x23A0DA01u;
+  std::memcpy(slot.data() + Store::kSlotBytes - 4, &crc, 4);
+  Table table;
+  std::uint32_t generation = 0;
+  ASSERT_EQ(Store(&storage).Read(&table, &generation), Store::Load::kLoaded);
+  EXPECT_EQ(generation, 7u);
+  ASSERT_EQ(table.size(), 2);
+  EXPECT_EQ(table[0].origin, Origin::kFactory);
+  EXPECT_FLOAT_EQ(table[0].zro_dps[1], -1.25f);
+  EXPECT_FLOAT_EQ(table[1].temp_degc, 23.5f);
+  EXPECT_FLOAT_EQ(table[1].sigma_dps, 0.0025f);
+  EXPECT_EQ(table[1].date, 15000);
+  EXPECT_EQ(table[1].weight, 3);
+}
+
+RC_GTEST_PROP(Store, RubbishWithAGoodChecksumIsRefusedOrCanonical, ()) {
+  RamStorage storage;
+  Bytes& slot = storage.slots[0];
+  Store::Seal(Holding(1.0f), 1, 1, slot.data());
+  const auto changes = *rc::gen::inRange(1, 6);
+  for (int i = 0; i < changes; ++i) {  // prefix and image, not the padding alone
+    slot[*rc::gen::inRange<std::size_t>(4, 64)] = *rc::gen::arbitrary<std::uint8_t>();
+  }
+  const std::uint32_t crc = Crc32(slot.data(), Store::kSlotBytes - 4);
+  std::memcpy(slot.data() + Store::kSlotBytes - 4, &crc, 4);
+  Table table;
+  std::uint32_t generation = 0;
+  if (Store(&storage).Read(&table, &generation) != Store::Load::kLoaded) {
+    RC_ASSERT(table.size() == 0);
+    return;
+  }
+  Bytes image(Table::kMaxImageBytes);
+  image.resize(table.ToImage(generation, image.data()));
+  RC_ASSERT(std::equal(image.begin(), image.end(), slot.begin() + Store::kPrefixBytes));
+}
+
+RC_GTEST_PROP(Store, RandomSlotsNeverLoad, (Bytes bytes)) {
+  RamStorage storage;
+  if (bytes.empty()) bytes.push_back(1);
+  for (Bytes& slot : storage.slots) {
+    for (std::size_t i = 0; i < slot.size(); ++i) slot[i] = bytes[i % bytes.size()];
+  }
+  Table table;
+  std::uint32_t generation = 0;
+  RC_ASSERT(Store(&storage).Read(&table, &generation) != Store::Load::kLoaded);
 }
 
 TEST(Store, OtherSlotVersionIsInvalid) {
