@@ -96,7 +96,7 @@ Quarantine::Vote Corrector::VoteOf(const Decision& decision, const Summary& read
   const bool lone = table_.size() == 1 && table_[0].origin == Origin::kLearned &&
                     table_[0].weight < kConfirmedWeight;
   const float sigma = sqrtf(Square(reading.sigma_dps) + Square(decision.expected_sigma_dps));
-  Quarantine::Vote vote{{}, sigma, config_.limits.max_step_dps, sample_, lone};
+  Quarantine::Vote vote{{}, sigma, config_.limits.max_step_dps, sample_, lone, floor_.learned()};
   for (int axis = 0; axis < kAxes; ++axis) {
     vote.shift_dps[axis] = reading.zro_dps[axis] - decision.expected_dps[axis];
   }

@@ -22,6 +22,9 @@ class NoiseFloor {
   /// its noise: it says nothing of the floor, which would lock out every later reading.
   void Learn(const Summary& reading);
 
+  /// Every axis has told its floor: until then a tone may hide below kGuessTolerance.
+  bool learned() const { return learned_[0] && learned_[1] && learned_[2]; }
+
   /// Noise of an axis over its floor; divided by kGuessTolerance while the floor is a guess.
   float Ratio(float std_dps, int axis) const;
   /// Whether that ratio is above `limit`, from the square: once a sample, without a root.

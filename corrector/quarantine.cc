@@ -36,7 +36,7 @@ Quarantine::Verdict Quarantine::Add(const Vote& vote) {
     size = Max(size, fabsf(shift_dps_[axis]));
   }
   const float allowed = static_cast<float>(votes_ + 1 - kFollowVotes) * kFollowEachDps;
-  follows_ = votes_ >= kFollowVotes && (size <= allowed || votes_ >= kVotes);
+  follows_ = vote.clean && votes_ >= kFollowVotes && (size <= allowed || votes_ >= kVotes);
   const bool long_enough = vote.lone || last_ - first_ >= least_samples_;
   if (votes_ >= (vote.lone ? kVotesLone : kVotes) && long_enough) return Verdict::kConfirmed;
   if (!starts) return Verdict::kAgrees;

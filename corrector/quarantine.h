@@ -24,13 +24,15 @@ class Quarantine {
   enum class Verdict : std::uint8_t { kFirst, kAgrees, kReplaced, kConfirmed };
 
   /// `lone`: the table is one unconfirmed entry. `sigma_dps`: 1 sigma of the shift. `most_dps`:
-  /// votes never lie farther apart than this.
+  /// votes never lie farther apart than this. `clean`: its noise is known to be no more than the
+  /// gyro's own; the output follows no others.
   struct Vote {
     float shift_dps[kAxes];
     float sigma_dps;
     float most_dps;
     std::uint32_t sample;
     bool lone;
+    bool clean;
   };
 
   explicit Quarantine(float sample_hz);

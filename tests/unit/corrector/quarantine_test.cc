@@ -18,7 +18,8 @@ Quarantine::Vote VoteAt(float minute, float shift_dps, bool lone = false) {
           0.003f,
           0.05f,
           static_cast<std::uint32_t>(minute * 60.0f * kHz),
-          lone};
+          lone,
+          true};
 }
 
 TEST(Quarantine, SixVotesInFewMinutesAreNotEnough) {
@@ -45,6 +46,16 @@ TEST(Quarantine, OutputFollowsASecondWitnessAndLargeShiftsOnlyMore) {
       EXPECT_EQ(q.follows(), i >= votes) << shift_dps << " dps, " << i << " votes";
     }
     EXPECT_TRUE(q.Clear());
+    EXPECT_FALSE(q.follows());
+  }
+}
+
+TEST(Quarantine, OutputFollowsNothingWhileTheNoiseFloorIsAGuess) {
+  Quarantine q(kHz);
+  for (int i = 0; i < 20; ++i) {
+    Quarantine::Vote vote = VoteAt(static_cast<float>(i), 0.2f);
+    vote.clean = false;
+    q.Add(vote);
     EXPECT_FALSE(q.follows());
   }
 }
