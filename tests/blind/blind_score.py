@@ -93,10 +93,10 @@ class Case:
         return bool(set(self.named) - set(self.truth))
 
 
-def read_cases(cases, sealed):
+def read_cases(cases, sealed, answer="diagnosis.json"):
     names = [line.split()[1] for line in (sealed / "hashes.txt").read_text().splitlines()]
     return [Case(name, json.loads((sealed / name / "label.json").read_text()),
-                 read_answer(cases / name / "diagnosis.json")) for name in names]
+                 read_answer(cases / name / answer)) for name in names]
 
 
 # ----------------------------------------------------------------------------------- statistics
@@ -355,6 +355,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("--cases", type=Path, required=True)
     parser.add_argument("--sealed", type=Path, required=True)
+    parser.add_argument("--answer", default="diagnosis.json", help="file beside each case")
     parser.add_argument("--json", type=Path, help="the same as JSON")
     args = parser.parse_args()
 
@@ -362,7 +363,7 @@ def main():
     if wrong:
         print(f"blind_score: label or nonce changed after sealing: {', '.join(wrong)}", file=sys.stderr)
         return 1
-    cases = read_cases(args.cases, args.sealed)
+    cases = read_cases(args.cases, args.sealed, args.answer)
     print(f"{len(cases)} cases, all hashes as sealed\n")
     rows = table(cases)
     for row in rows:

@@ -13,6 +13,9 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+// Linear quantities may go anywhere in one step.
+constexpr double kFree = 1e9;
+
 MatrixXd Normalised(MatrixXd columns) {
   for (Index c = 0; c < columns.cols(); ++c) {
     const double length = columns.col(c).norm();
@@ -35,6 +38,7 @@ MatrixXd Span::Remainder(const MatrixXd& columns) const {
 
 Yardstick::Yardstick(const Bench& bench, Campaign campaign)
     : acoustic_(bench.knows_rectification),
+      nominal_(bench.nominal),
       model_(bench.actual),
       campaign_(std::move(campaign)),
       paths_(Heat(model_, Lumps(), {}, campaign_)),
@@ -49,39 +53,41 @@ VectorXd Yardstick::About(const BaseModel& model, const Paths& paths) const {
 
 std::vector<Yardstick::Nuisance> Yardstick::Nuisances() const {
   using M = BaseModel&;
+  // Without the plate's capacity: only ratios to it can be told from temperatures and commands.
   std::vector<Nuisance> all = {
-      {[](M m) -> double& { return m.ambient_degc; }, 0.01, true},
-      {[](M m) -> double& { return m.plate_j_per_k; }, 0.1, true},
-      {[](M m) -> double& { return m.heater_w; }, 0.05, true},
-      {[](M m) -> double& { return m.cooler_w; }, 0.05, true},
-      {[](M m) -> double& { return m.plate_to_ambient_w_per_k; }, 1e-3, true},
-      {[](M m) -> double& { return m.board_j_per_k; }, 6e-3, true},
-      {[](M m) -> double& { return m.board_to_plate_w_per_k; }, 1e-3, true},
-      {[](M m) -> double& { return m.board_to_ambient_w_per_k; }, 1e-4, true},
-      {[](M m) -> double& { return m.package_s; }, 4e-3, true},
+      {[](M m) -> double& { return m.ambient_degc; }, 0.01, true, 0.05},
+      {[](M m) -> double& { return m.heater_w; }, 0.05, true, 0.4},
+      {[](M m) -> double& { return m.cooler_w; }, 0.05, true, 0.4},
+      {[](M m) -> double& { return m.plate_to_ambient_w_per_k; }, 1e-3, true, 0.4},
+      {[](M m) -> double& { return m.board_j_per_k; }, 6e-3, true, 0.4},
+      {[](M m) -> double& { return m.board_to_plate_w_per_k; }, 1e-3, true, 0.4},
+      {[](M m) -> double& { return m.board_to_ambient_w_per_k; }, 1e-4, true, 0.4},
+      {[](M m) -> double& { return m.package_s; }, 4e-3, true, 0.4},
   };
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (std::size_t power = 0; power < 4; ++power) {
       const double step = 1e-3 / std::pow(30.0, static_cast<double>(power));
-      all.push_back({[=](M m) -> double& { return m.zro_dps[axis][power]; }, step, false});
+      all.push_back({[=](M m) -> double& { return m.zro_dps[axis][power]; }, step, false, kFree});
     }
   }
   if (!acoustic_) return all;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    all.push_back({[=](M m) -> double& { return m.rectification_dps_per_pa2[axis]; }, 1e-4, false});
-    all.push_back({[=](M m) -> double& { return m.resonance_hz[axis]; }, 0.1, false});
+    all.push_back(
+        {[=](M m) -> double& { return m.rectification_dps_per_pa2[axis]; }, 1e-4, false, 0.4});
+    all.push_back({[=](M m) -> double& { return m.resonance_hz[axis]; }, 0.1, false, 5e-4});
   }
-  all.push_back({[](M m) -> double& { return m.resonance_q; }, 0.5, false});
+  all.push_back({[](M m) -> double& { return m.resonance_q; }, 0.5, false, 0.3});
   return all;
 }
 
+// The first power-on's is the cubic's own.
 MatrixXd Yardstick::Constants() const {
-  const auto runs = static_cast<Index>(campaign_.schedules.size());
-  MatrixXd columns = MatrixXd::Zero(reference_.size(), 3 * runs);
-  for (Index at = 0; at < reference_.size(); ++at) {
+  const auto later = static_cast<Index>(campaign_.schedules.size()) - 1;
+  MatrixXd columns = MatrixXd::Zero(reference_.size(), 3 * later);
+  for (Index at = Index{kBlocks} * kChannels; at < reference_.size(); ++at) {
     const Index channel = at % kChannels;
     const Index run = at / (kChannels * kBlocks);
-    if (channel >= 2) columns(at, 3 * run + channel - 2) = 1;
+    if (channel >= 2) columns(at, 3 * (run - 1) + channel - 2) = 1;
   }
   return columns;
 }
@@ -106,34 +112,57 @@ MatrixXd Yardstick::Project(const MatrixXd& stacked) const {
   return nuisances_.Remainder(whitener_.Whiten(stacked));
 }
 
-Yardstick::Fitted Yardstick::Fit(const VectorXd& recording) const {
+BaseModel Yardstick::Step(const BaseModel& from, const VectorXd& misfit) const {
   const std::vector<Nuisance> nuisances = Nuisances();
-  BaseModel model = model_;
-  VectorXd misfit = whitener_.Whiten(recording - reference_);
+  BaseModel model = from;
   const auto heat = std::ranges::count_if(nuisances, &Nuisance::heat);
   // Two lags nearly alike may trade places without end: a weak prior, 30 %, holds them.
   MatrixXd columns(misfit.size() + heat, whitened_jacobian_.cols());
   columns << whitened_jacobian_, MatrixXd::Zero(heat, columns.cols());
+  VectorXd wanted = VectorXd::Zero(columns.rows());
+  wanted.head(misfit.size()) = misfit;
+  BaseModel prior = nominal_;
   for (Index i = 0; i < heat; ++i) {
-    columns(misfit.size() + i, i) = 1 / (0.3 * nuisances[static_cast<std::size_t>(i)].value(model));
+    const Nuisance& nuisance = nuisances[static_cast<std::size_t>(i)];
+    const double sigma = 0.3 * nuisance.value(prior);
+    columns(misfit.size() + i, i) = 1 / sigma;
+    wanted[misfit.size() + i] = (nuisance.value(prior) - nuisance.value(model)) / sigma;
   }
   const VectorXd length = columns.colwise().norm().cwiseMax(1e-300);
   for (Index c = 0; c < columns.cols(); ++c) columns.col(c) /= length[c];
   Eigen::ColPivHouseholderQR<MatrixXd> solver(columns);
   solver.setThreshold(1e-7);
-  Fitted best{model, nuisances_.Remainder(misfit)};
-  for (int iteration = 0; iteration < 2; ++iteration) {
-    VectorXd wanted = VectorXd::Zero(columns.rows());
-    wanted.head(misfit.size()) = misfit;
-    const VectorXd step = solver.solve(wanted).cwiseQuotient(length);
-    for (std::size_t i = 0; i < nuisances.size(); ++i) {
-      nuisances[i].value(model) += step[static_cast<Index>(i)];
-    }
-    misfit = whitener_.Whiten(recording - Respond(model, Lumps(), {}, campaign_));
-    const VectorXd remainder = nuisances_.Remainder(misfit);
-    if (remainder.squaredNorm() < best.remainder.squaredNorm()) best = {model, remainder};
+  const VectorXd step = solver.solve(wanted).cwiseQuotient(length);
+  // No further than the derivatives hold: the heat flow's quantities in step, others one by one.
+  double part = 1;
+  const auto most = [&](std::size_t i) {
+    return nuisances[i].most_share * std::abs(nuisances[i].value(model)) /
+           std::max(std::abs(step[static_cast<Index>(i)]), 1e-300);
+  };
+  for (std::size_t i = 0; i < nuisances.size(); ++i) {
+    if (nuisances[i].heat) part = std::min(part, most(i));
   }
-  return best;
+  for (std::size_t i = 0; i < nuisances.size(); ++i) {
+    const double own = nuisances[i].heat ? part : std::min(1.0, most(i));
+    nuisances[i].value(model) += own * step[static_cast<Index>(i)];
+  }
+  return model;
+}
+
+VectorXd Yardstick::Misfit(const BaseModel& model, const VectorXd& recording) const {
+  return whitener_.Whiten(recording - Respond(model, Lumps(), {}, campaign_));
+}
+
+double Yardstick::LambdaOfMisfit(const VectorXd& recording) const {
+  BaseModel model = model_;
+  VectorXd misfit = whitener_.Whiten(recording - reference_);
+  double best = nuisances_.Remainder(misfit).squaredNorm();
+  for (int iteration = 0; iteration < 2; ++iteration) {
+    model = Step(model, misfit);
+    misfit = Misfit(model, recording);
+    best = std::min(best, nuisances_.Remainder(misfit).squaredNorm());
+  }
+  return best;  // a step too far is not taken
 }
 
 bool Yardstick::MaySuspect(const Kind& kind) const {

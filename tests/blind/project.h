@@ -33,15 +33,11 @@ class Yardstick {
   double Lambda(const Eigen::VectorXd& stacked) const { return Project(stacked).squaredNorm(); }
   /// The same after fitting the base model to a noiseless recording (Gauss-Newton): what no choice
   /// of its quantities can explain.
-  double LambdaOfMisfit(const Eigen::VectorXd& recording) const {
-    return Fit(recording).remainder.squaredNorm();
-  }
-  struct Fitted {
-    BaseModel model;
-    Eigen::VectorXd remainder;  ///< whitened, projected off the nuisances
-  };
-  /// Two Gauss-Newton steps; a step that makes it worse is not taken.
-  Fitted Fit(const Eigen::VectorXd& recording) const;
+  double LambdaOfMisfit(const Eigen::VectorXd& recording) const;
+  /// One Gauss-Newton step of the quantities from `from`, whose whitened misfit is given.
+  BaseModel Step(const BaseModel& from, const Eigen::VectorXd& misfit) const;
+  /// Recording minus simulation, whitened.
+  Eigen::VectorXd Misfit(const BaseModel& model, const Eigen::VectorXd& recording) const;
 
   struct Alike {
     std::string id;
@@ -71,7 +67,8 @@ class Yardstick {
   struct Nuisance {
     std::function<double&(BaseModel&)> value;
     double step;
-    bool heat;  ///< heat flow must be simulated anew
+    bool heat;          ///< heat flow must be simulated anew
+    double most_share;  ///< of its value, in one step
   };
   std::vector<Nuisance> Nuisances() const;
   Eigen::MatrixXd Jacobian() const;
@@ -79,7 +76,7 @@ class Yardstick {
   Eigen::VectorXd About(const BaseModel& model, const Paths& paths) const;
 
   bool acoustic_;
-  BaseModel model_;
+  BaseModel nominal_, model_;
   Campaign campaign_;
   Paths paths_;
   Eigen::VectorXd reference_;

@@ -18,7 +18,7 @@ struct Schedule {
   Eigen::VectorXd tone_spl_db;
   Eigen::VectorXd vibration_g;  ///< rms of broadband shaking
   Eigen::MatrixXd gravity_g;    ///< rows x 3
-  Eigen::VectorXd moving;       ///< 1 where the board is being turned: nothing is logged
+  Eigen::VectorXd moving;       ///< 1 where the board is being turned: its columns are blank
   double started_h = 0;         ///< after the first run's start
 };
 

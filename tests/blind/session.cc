@@ -136,24 +136,24 @@ std::string LogText(const Bench& bench, const Schedule& schedule, const Rows& fe
   std::string text =
       "t_s,setpoint_degc,plate_degc,drive_pct,imu_degc,gyro_x_dps,gyro_y_dps,gyro_z_dps,"
       "accel_x_g,accel_y_g,accel_z_g,supply_v,tone_hz,tone_spl_db\n";
-  const std::string blank = ",,,,,,,,,";
-  text += Line(schedule, 0, blank);
+  text += Line(schedule, 0, ",,,,,,,,,");
   for (Index axis = 0; axis < 3; ++axis) {
     gyro.col(axis).array() += draw.Normal(noise.power_on_dps);
     gyro.col(axis) += PinkNoise(draw, kRunRows, noise.flicker_dps);
     for (double& value : gyro.col(axis)) value += draw.Normal(gyro_sigma);
   }
   for (Index row = 0; row < kRunRows; ++row) {
-    std::string measured =
-        fmt::format("{:.3f},{:.2f},{:.4f}", plate[row], command_pct[row], die[row]);
-    for (Index axis = 0; axis < 3; ++axis) measured += fmt::format(",{:.6f}", gyro(row, axis));
+    std::string board = fmt::format("{:.4f}", die[row]);
+    for (Index axis = 0; axis < 3; ++axis) board += fmt::format(",{:.6f}", gyro(row, axis));
     // A second's mean of broadband shaking, 50 Hz wide, keeps a tenth of its rms.
     const double sigma = std::hypot(accel_sigma, 0.1 * schedule.vibration_g[row]);
     for (Index axis = 0; axis < 3; ++axis) {
-      measured += fmt::format(",{:.5f}", schedule.gravity_g(row, axis) + draw.Normal(sigma));
+      board += fmt::format(",{:.5f}", schedule.gravity_g(row, axis) + draw.Normal(sigma));
     }
-    measured += fmt::format(",{:.3f}", schedule.supply_v[row]);
-    text += Line(schedule, row + 1, schedule.moving[row] > 0 ? blank : measured);
+    if (schedule.moving[row] > 0) board = ",,,,,,";
+    text += Line(schedule, row + 1,
+                 fmt::format("{:.3f},{:.2f},{},{:.3f}", plate[row], command_pct[row], board,
+                             schedule.supply_v[row]));
   }
   return text;
 }
