@@ -63,9 +63,10 @@ int main(void) {
     }
     zro_commit(&g->corrector);
     const float error = out.zro_dps[2] - (g->offset_dps + g->slope_dps_per_degc * (temp_degc - 25));
-    printf("gyro %d at %.1f degC: offset %+.3f dps, off by %.1f mdps (1 sigma %.1f), %d decisions\n",
-           i, (double)temp_degc, (double)out.zro_dps[2], (double)(1e3f * fabsf(error)),
-           (double)(1e3f * out.sigma_dps), decisions);
+    printf(
+        "gyro %d at %.1f degC: offset %+.3f dps, off by %.1f mdps (1 sigma %.1f), %d decisions\n",
+        i, (double)temp_degc, (double)out.zro_dps[2], (double)(1e3f * fabsf(error)),
+        (double)(1e3f * out.sigma_dps), decisions);
     if (fabsf(error) > 0.02f) return 1;
   }
   return 0;
