@@ -22,6 +22,7 @@ int RunCommandLine(int argc, char** argv) {
   AddCheckVerb(app, exit_code);
   AddPlanVerb(app, exit_code);
   AddReplayVerb(app, exit_code);
+  AddDiagnoseVerb(app, exit_code);
   AddReportVerb(app, exit_code);
   try {
     app.parse(argc, argv);

@@ -8,6 +8,7 @@ void AddRunVerb(CLI::App& app, int& exit_code);
 void AddCheckVerb(CLI::App& app, int& exit_code);
 void AddPlanVerb(CLI::App& app, int& exit_code);
 void AddReplayVerb(CLI::App& app, int& exit_code);
+void AddDiagnoseVerb(CLI::App& app, int& exit_code);
 void AddReportVerb(CLI::App& app, int& exit_code);
 
 /// Exit codes that do not come from a verdict (all of them: README).

@@ -25,6 +25,8 @@ class ThermalNetwork {
   void Advance(double dt_s, const HeatFlows& heat);
 
   Temperatures temperatures() const;
+  /// A of x' = A x + ..., x = plate, board, die above ambient [1/s]; rows of absent nodes are zero.
+  Eigen::Matrix3d rates_per_s() const { return generator_.topLeftCorner<3, 3>(); }
   /// Heat stored above ambient [J]. The package stores none: it follows the board.
   double StoredHeat() const;
   /// What flows in from outside minus what is lost to ambient [W]; the rate of StoredHeat.

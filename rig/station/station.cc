@@ -104,6 +104,21 @@ void ReadVirtual(TableReader reader, VirtualSettings* settings) {
   reader.RefuseOtherKeys();
 }
 
+void ReadRecording(TableReader reader, RecordingSettings* recording) {
+  std::string rows = "mean";
+  std::string start = "power_on";
+  reader.Choice("rows", &rows, {"mean", "instant"});
+  reader.Choice("t0", &start, {"power_on", "unknown"});
+  recording->mean_rows = rows == "mean";
+  recording->starts_at_power_on = start == "power_on";
+  reader.Text("map", &recording->map);
+  TableReader started = reader.Table("started_h");
+  for (const toml::key* key : started.keys()) {
+    started.Number(key->str(), &recording->started_h[std::string(key->str())], Range::AtLeast(0));
+  }
+  reader.RefuseOtherKeys();
+}
+
 void ReadClock(TableReader reader, Station* station) {
   reader.Number("speed", &station->clock_speed, Range::Between(1e-3, 10000));
   reader.RefuseOtherKeys();
@@ -143,6 +158,7 @@ void ReadFile(TableReader file, Station* station) {
   ReadCalibration(Section(&file, "calibration"), &station->calibration);
   ReadClock(Section(&file, "clock"), station);
   ReadVirtual(Section(&file, "virtual"), &station->virtual_rig);
+  ReadRecording(Section(&file, "recording"), &station->recording);
   ReadModel(Section(&file, "model"), &station->model);
   file.RefuseOtherKeys();
 }

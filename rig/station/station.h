@@ -1,6 +1,7 @@
 #pragma once
 // A station: which instruments, their limits, and the nominal model (TOML, docs/formats.md).
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,14 @@ struct StationCalibration {
   double speaker_uncertainty_k2_db = 0;
 };
 
+/// What a foreign logger's recordings mean, for `diagnose`.
+struct RecordingSettings {
+  bool mean_rows = true;           ///< measured columns are means since the row before
+  bool starts_at_power_on = true;  ///< else how long the board had been on is not known
+  std::map<std::string, double> started_h;  ///< run -> hours since the first run's start
+  std::string map;                 ///< import map for every run-*.csv; empty = canonical columns
+};
+
 struct Station {
   std::string name;
   std::string text;  ///< the file as read, for the run folder
@@ -50,6 +59,7 @@ struct Station {
   StationCalibration calibration;
   double clock_speed = 1;  ///< of `serve`: virtual seconds a second
   VirtualSettings virtual_rig;
+  RecordingSettings recording;
   physics::Model model;
 
   /// The in-process rig serves every role that this station has.

@@ -126,7 +126,8 @@ TEST(DocumentedKeys, OfAProfileAndItsNeeds) {
   }
 }
 
-/// Names of all tables in a file, dotted, the root's being empty; terms have their own list.
+/// Names of all tables in a file, dotted, the root's being empty; terms have their own list, and
+/// runs are named by their files.
 void CollectTables(const toml::table& table, const std::string& path,
                    std::map<std::string, Keys>& found) {
   Keys& keys = found[path];
@@ -134,7 +135,8 @@ void CollectTables(const toml::table& table, const std::string& path,
     const std::string name(key.str());
     keys.insert(name);
     const std::string inner = path.empty() ? name : path + "." + name;
-    if (node.is_table() && inner != "model.term") CollectTables(*node.as_table(), inner, found);
+    const bool named_by_user = inner == "model.term" || inner == "recording.started_h";
+    if (node.is_table() && !named_by_user) CollectTables(*node.as_table(), inner, found);
   }
 }
 
