@@ -40,10 +40,10 @@ struct StationCalibration {
 
 /// What a foreign logger's recordings mean, for `diagnose`.
 struct RecordingSettings {
-  bool mean_rows = true;           ///< measured columns are means since the row before
-  bool starts_at_power_on = true;  ///< else how long the board had been on is not known
+  bool mean_rows = true;                    ///< measured columns are means since the row before
+  bool starts_at_power_on = true;           ///< else how long the board had been on is not known
   std::map<std::string, double> started_h;  ///< run -> hours since the first run's start
-  std::string map;                 ///< import map for every run-*.csv; empty = canonical columns
+  std::string map;  ///< import map for every run-*.csv; empty = canonical columns
 };
 
 struct Station {

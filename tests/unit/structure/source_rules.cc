@@ -46,9 +46,9 @@ const std::map<std::string, std::set<std::string>>& Allowed() {
 }
 
 // What a freestanding corrector may have of the library: types and the four functions it names.
-const std::set<std::string> kTargetHeaders = {"cstdint", "cstddef",  "cstring",
-                                              "cmath",   "stdint.h", "stddef.h",
-                                              "math.h",  "string.h", "stdbool.h", "new"};
+const std::set<std::string> kTargetHeaders = {"cstdint",   "cstddef",  "cstring", "cmath",
+                                              "stdint.h",  "stddef.h", "math.h",  "string.h",
+                                              "stdbool.h", "new"};
 
 std::vector<std::string> Lines(std::string_view text) {
   std::istringstream in{std::string(text)};
@@ -156,7 +156,8 @@ std::vector<std::string> ClockFaults(std::string_view path, std::string_view tex
 
 std::vector<std::string> FreestandingFaults(std::string_view path, std::string_view text) {
   static const std::regex kForbidden(
-      "\\b(double|new(?! *\\(|>)|delete|throw|try|catch|dynamic_cast|typeid|malloc|free|std::string|"
+      "\\b(double|new(?! "
+      "*\\(|>)|delete|throw|try|catch|dynamic_cast|typeid|malloc|free|std::string|"
       "std::vector|std::function|std::map)\\b");
   static const std::regex kDefaulted("=\\s*delete\\b");
   static const std::regex kSystem("^\\s*#\\s*include\\s*<([^>]+)>");
