@@ -124,7 +124,7 @@ void FitThermalNoise(const Problem& problem, const Fitted& base,
   // Paths do not depend on the noise: they are simulated once and filtered often.
   const Filters about(problem, base.point, noise);
   std::vector<Evaluated> moved;
-  const auto probe = [&](Point point, const std::vector<Knob>& knobs) {
+  const auto probe = [&](const Point& point, const std::vector<Knob>& knobs) {
     for (const Knob& knob : knobs) {
       Point there = point;
       knob.Move(there, knob.probe);

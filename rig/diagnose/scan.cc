@@ -24,7 +24,7 @@ struct Inverse {
 };
 Inverse Invert(const Eigen::MatrixXd& information) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information);
-  const Eigen::VectorXd values = eigen.eigenvalues();
+  const Eigen::VectorXd& values = eigen.eigenvalues();
   const double least = values.maxCoeff() * 1e-9;
   Eigen::VectorXd inverse = Eigen::VectorXd::Zero(values.size());
   double rank = 0;
