@@ -2,6 +2,7 @@
 #include "tests/blind/recording.h"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <array>
 #include <fstream>
@@ -45,7 +46,9 @@ class WrittenCase : public testing::Test {
     return energy;
   }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "blind_recording_test";
+  // Each test is a process of its own, and several run at once.
+  fs::path folder_ =
+      fs::path(testing::TempDir()) / ("blind_recording_test-" + std::to_string(getpid()));
 };
 
 TEST_F(WrittenCase, OfANullHoldsTheStatedNoiseAndNoMore) {
