@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "rig/diagnose/gates.h"
@@ -16,10 +15,10 @@
 namespace zrobench::diagnose {
 namespace {
 
-constexpr double kNominalTolerance =
-    0.9;  ///< ratios: 30 % of one value over 30 % of the plate's capacity
-constexpr double kExcited =
-    30;  ///< typical magnitudes: what would have to be larger is not excited
+/// Nominal values are within 30 %, and so is the plate's capacity that they are measured in.
+constexpr double kNominalTolerance = 0.9;
+/// Typical magnitudes: what would have to be larger to show is not excited.
+constexpr double kExcited = 30;
 
 struct Candidates {
   std::vector<Effect> effects;
@@ -34,9 +33,10 @@ Candidates CandidatesFor(const Case& loaded, const Problem& problem) {
   }
   for (const physics::TermInfo& info : physics::Catalogue()) {
     const bool simulated = IsThermal(info) && problem.drive == Drive::kNothing;
+    const bool timed = !info.from_power_on || loaded.station.recording.starts_at_power_on;
     const bool fed = physics::UnmetNeeds(info, columns).empty() &&
                      (!info.needs_power_ons || problem.series.size() > 1);
-    if (simulated || !fed || !info.scanned || info.needs_every_sample) {
+    if (simulated || !fed || !timed || !info.scanned || info.needs_every_sample) {
       all.not_testable.emplace_back(info.id);
       continue;
     }
@@ -84,7 +84,6 @@ TermFound Describe(const Trial& trial, const Fitted& best, std::size_t effect,
     found.parameters.push_back(
         {std::string(p.name), std::string(p.unit), trial.effect.shape[shape++], std::nullopt});
   }
-  for (const std::string_view channel : found.info->channels) found.channels.emplace_back(channel);
   found.log_likelihood_gain = trial.gain / 2;
   found.p_value = std::min(1.0, static_cast<double>(terms_tested) * std::exp(-trial.evidence / 2));
   return found;
@@ -94,16 +93,13 @@ std::vector<Limit> LimitsOf(const std::vector<Score>& scores, std::vector<std::s
   std::vector<Limit> limits;
   for (const Score& score : scores) {
     const std::vector<Coefficient> coefficients = CoefficientsOf(*score.effect.info);
-    std::size_t best = 0;
-    for (std::size_t k = 1; k < score.limit.size(); ++k) {
-      if (score.limit[k] < score.limit[best]) best = k;
-    }
-    if (score.limit[best] > kExcited) {
+    const auto least = std::ranges::min_element(score.limit);
+    if (*least > kExcited) {
       dark.emplace_back(score.effect.info->id);
       continue;
     }
-    const Coefficient& c = coefficients[std::min(best, coefficients.size() - 1)];
-    limits.push_back({score.effect.info, c.parameter, c.unit, score.limit[best] * c.typical});
+    const Coefficient& c = coefficients[static_cast<std::size_t>(least - score.limit.begin())];
+    limits.push_back({score.effect.info, c.parameter, c.unit, *least * c.typical});
   }
   return limits;
 }
@@ -147,6 +143,45 @@ Outcome OutcomeOf(const SearchResult& search, const Leftover& leftover, bool off
   return leftover.explained_share < 0.6 ? Outcome::kUnexplained : Outcome::kPartlyExplained;
 }
 
+/// What the first look at every term saw, and what it could have seen.
+void TellScan(const SearchResult& search, Diagnosis& result) {
+  result.threshold = search.threshold;
+  for (const Score& score : search.first_scan) {
+    result.scan.push_back({score.effect.info, score.evidence});
+  }
+  if (!result.scan.empty()) result.evidence = result.scan.front().evidence;
+  result.limits = LimitsOf(search.first_scan, result.not_excited);
+  for (const physics::TermInfo* info : search.silent) result.not_excited.emplace_back(info->id);
+}
+
+/// Names where the outcome gives any; rivals and the set that cannot be told apart.
+void TellTerms(const SearchResult& search, Diagnosis& result) {
+  if (search.accepted.empty()) return;
+  if (result.outcome == Outcome::kNamed || result.outcome == Outcome::kPartlyExplained) {
+    for (std::size_t i = 0; i < search.accepted.size(); ++i) {
+      result.terms.push_back(
+          Describe(search.accepted[i], search.best, search.known() + i, search.first_scan.size()));
+    }
+  }
+  const Trial& first = search.accepted.front();
+  if (search.ambiguous) result.ambiguity.push_back(first.effect.info);
+  for (const Trial& rival : search.rivals) {
+    const double evidence_short = first.evidence - rival.evidence;
+    result.rivals.push_back({rival.effect.info, evidence_short});
+    if (search.ambiguous && evidence_short < kAmbiguous) {
+      result.ambiguity.push_back(rival.effect.info);
+    }
+  }
+}
+
+Errors Predict(const Problem& problem, const Filters& filters, const Noise& noise,
+               const SearchResult& search) {
+  HeldOut heldout = HoldOut(problem, noise, search.base, search.best);
+  return {PredictionErrors(problem, filters, search.base),
+          PredictionErrors(problem, filters, search.best), std::move(heldout.before),
+          std::move(heldout.after), NoiseFloor(problem, noise)};
+}
+
 }  // namespace
 
 std::string_view OutcomeName(Outcome outcome) {
@@ -185,47 +220,20 @@ Diagnosis Diagnose(const Case& loaded, const Progress& progress) {
   const SearchResult search = Search(problem, filters, base, candidates.effects, progress);
 
   progress("judging what is left");
-  const Leftover leftover = Judge(problem, filters, search.base, search.best);
+  const Leftover leftover = JudgeLeftover(problem, filters, search.base, search.best);
   result.recalibrations = Recalibrations(problem, search.base);
   result.outcome = OutcomeOf(search, leftover, !result.recalibrations.empty());
-  result.threshold = search.threshold;
   result.leftover_log_p = leftover.log_p;
   result.noise = Named(calibrated.noise);
-  for (const Score& score : search.first_scan) {
-    result.scan.push_back({score.effect.info, score.evidence});
-  }
-  if (!search.first_scan.empty()) result.evidence = search.first_scan.front().evidence;
-  result.limits = LimitsOf(search.first_scan, result.not_excited);
-  for (const physics::TermInfo* info : search.silent) result.not_excited.emplace_back(info->id);
-
-  if (result.outcome == Outcome::kNamed || result.outcome == Outcome::kPartlyExplained) {
-    const std::size_t known = search.base.hypothesis.effects.size();
-    for (std::size_t i = 0; i < search.accepted.size(); ++i) {
-      result.terms.push_back(
-          Describe(search.accepted[i], search.best, known + i, search.first_scan.size()));
-    }
-  }
-  if (!search.accepted.empty()) {
-    const double best = search.accepted.front().evidence;
-    if (search.ambiguous) result.ambiguity.push_back(search.accepted.front().effect.info);
-    for (const Trial& rival : search.rivals) {
-      result.rivals.push_back({rival.effect.info, best - rival.evidence});
-      if (search.ambiguous && best - rival.evidence < kAmbiguous) {
-        result.ambiguity.push_back(rival.effect.info);
-      }
-    }
-  }
+  TellScan(search, result);
+  TellTerms(search, result);
   result.mismatch.detected = !search.accepted.empty() || leftover.significant;
-  if (result.mismatch.detected)
+  if (result.mismatch.detected) {
     Localise(problem, calibrated.noise, search, leftover, result.mismatch);
+  }
   progress("predicting runs that the fit has not seen");
-  result.errors.before = PredictionErrors(problem, filters, search.base);
-  result.errors.after = PredictionErrors(problem, filters, search.best);
-  const HeldOut heldout = HoldOut(problem, calibrated.noise, search.base, search.best);
-  result.errors.heldout_before = heldout.before;
-  result.errors.heldout_after = heldout.after;
-  result.errors.noise_floor = NoiseFloor(problem, calibrated.noise);
-  if (!heldout.before.empty()) {
+  result.errors = Predict(problem, filters, calibrated.noise, search);
+  if (!result.errors.heldout_before.empty()) {
     for (const Series& s : problem.series) result.heldout_runs.push_back(s.name);
   }
   return result;

@@ -37,7 +37,6 @@ using PerChannel = std::map<std::string, double>;
 struct TermFound {
   const physics::TermInfo* info = nullptr;
   std::vector<ParameterFound> parameters;
-  std::vector<std::string> channels;
   double log_likelihood_gain = 0;
   double p_value = 1;  ///< of the best of all terms in recordings in which nothing is missing
 };

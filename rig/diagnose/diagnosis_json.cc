@@ -34,7 +34,7 @@ Json Term(const TermFound& term, const Errors& errors) {
           {"sentence", std::string(term.info->sentence)},
           {"equation", std::string(term.info->equation)},
           {"parameters", Parameters(term)},
-          {"channels", term.channels},
+          {"channels", term.info->channels},
           {"log_likelihood_gain", term.log_likelihood_gain},
           {"p_value", term.p_value},
           {"rmse_before", Object(errors.before)},

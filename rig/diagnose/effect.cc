@@ -9,6 +9,8 @@ namespace {
 using physics::ParameterInfo;
 using physics::TermInfo;
 
+double TypicalOf(const ParameterInfo& p) { return p.typical != 0 ? p.typical : 1; }
+
 using Rates = std::array<Eigen::ArrayXd, 3>;
 
 /// What the terms add to the rates together, as block means along the die's temperature.
@@ -84,18 +86,16 @@ std::vector<Coefficient> CoefficientsOf(const TermInfo& info) {
   std::vector<Coefficient> all;
   for (const ParameterInfo& p : info.parameters) {
     if (!p.coefficient) continue;
-    const double typical = p.typical != 0 ? p.typical : 1;
     for (std::size_t i = 0; i < p.defaults.size(); ++i) {
       all.push_back({std::string(p.name), p.defaults.size() == 3 ? static_cast<int>(i) : -1,
-                     typical, std::string(p.unit)});
+                     TypicalOf(p), std::string(p.unit)});
     }
   }
   return all;
 }
 
 bool IsThermal(const TermInfo& info) {
-  return info.id.starts_with("thermal.") || info.id.starts_with("time.") ||
-         info.id.starts_with("bus.");
+  return info.id.starts_with("thermal.") || info.id.starts_with("time.");
 }
 
 std::vector<Effect> Shapes(const TermInfo& info) {
@@ -121,9 +121,8 @@ std::vector<double> ParametersOf(const Effect& effect, const std::vector<double>
   std::vector<double> flat = physics::FlatParameters(*effect.info, model);
   std::size_t at = 0, coefficient = 0, shape = 0;
   for (const ParameterInfo& p : effect.info->parameters) {
-    const double typical = p.typical != 0 ? p.typical : 1;
     for (std::size_t i = 0; i < p.defaults.size(); ++i) {
-      flat[at++] = p.coefficient ? coefficients[coefficient++] * typical : effect.shape[shape];
+      flat[at++] = p.coefficient ? coefficients[coefficient++] * TypicalOf(p) : effect.shape[shape];
     }
     if (!p.coefficient) ++shape;
   }
@@ -154,7 +153,7 @@ std::vector<Knob> EffectKnobs(const Effect& effect) {
                        .logarithmic = false,
                        .prior_sd = 1e4,
                        .probe = 0.05,
-                       .unit = p.typical != 0 ? p.typical : 1});
+                       .unit = TypicalOf(p)});
     }
   }
   return knobs;

@@ -7,7 +7,6 @@
 namespace zrobench::diagnose {
 namespace {
 
-constexpr double kSpan_k = 40;  ///< x = (T - reference) / 40, as rates of a few kelvin are small
 constexpr std::size_t kPowers = 3;
 constexpr double kLargestStep = 0.7;  ///< of a knob, in one iteration
 constexpr double kFarthest = 2.3;     ///< of a relative knob from its nominal value: ten times
@@ -43,7 +42,6 @@ class Fitter {
       StateResonances(nominal_);
     }
     for (const Effect& effect : hypothesis.effects) AddEffect(effect);
-    for (const Knob& knob : knobs_) fit_.names.push_back(knob.name);
   }
 
   Fitted Run() {
@@ -139,23 +137,20 @@ class Fitter {
 
   /// Rates: per axis a constant for each power-on, x, x^2, x^3; then the effects'.
   void LayRates(std::vector<Eigen::VectorXd>& columns, std::vector<double>& precision) {
-    fit_.names.resize(knobs_.size());
-    const auto add = [&](std::string name, Eigen::VectorXd column) {
-      fit_.names.push_back(std::move(name));
+    const auto add = [&](Eigen::VectorXd column, double prior_precision) {
       columns.push_back(std::move(column));
-      precision.push_back(0);
+      precision.push_back(prior_precision);
     };
     for (std::size_t axis = 0; axis < 3; ++axis) {
       if (!problem_.measured[kRateX + axis]) continue;
-      const std::string name(kChannelNames[Index(kMeasuredChannel[kRateX + axis])]);
       for (std::size_t run = 0; run < problem_.series.size(); ++run) {
         std::vector<Eigen::ArrayXd> ones(problem_.series.size());
         ones[run] = Eigen::ArrayXd::Ones(fit_.at.die[run].size());
-        add(name + " constant of " + problem_.series[run].name, filters_.RateColumn(axis, ones));
+        add(filters_.RateColumn(axis, ones), 0);
       }
       for (int power = 1; power <= static_cast<int>(kPowers); ++power) {
-        add(name + " x^" + std::to_string(power), filters_.RateColumn(axis, Powers(power)));
-        precision.back() = 1e-6;  // a temperature that never moved must not make it singular
+        // A temperature that never moved must not make it singular.
+        add(filters_.RateColumn(axis, Powers(power)), 1e-6);
       }
     }
     for (std::size_t e = 0; e < fit_.hypothesis.effects.size(); ++e) {
@@ -163,8 +158,7 @@ class Fitter {
       if (IsThermal(*effect.info)) continue;
       const auto first = static_cast<Eigen::Index>(knobs_.size() + columns.size());
       for (Eigen::VectorXd& column : RateColumns(effect)) {
-        add(std::string(effect.info->id), std::move(column));
-        precision.back() = 1e-8;
+        add(std::move(column), 1e-8);
       }
       fit_.effect_columns[e] = {first,
                                 static_cast<Eigen::Index>(knobs_.size() + columns.size()) - first};
@@ -173,14 +167,9 @@ class Fitter {
 
   std::vector<Eigen::ArrayXd> Powers(int power) const {
     std::vector<Eigen::ArrayXd> runs;
-    for (const Eigen::ArrayXd& die : fit_.at.die) runs.push_back(X(die).pow(power));
+    for (const Eigen::ArrayXd& die : fit_.at.die) runs.push_back(problem_.X(die).pow(power));
     return runs;
   }
-  Eigen::ArrayXd X(const Eigen::ArrayXd& die) const {
-    const double reference = problem_.nominal.gyro ? problem_.nominal.gyro->reference_degc : 25.0;
-    return (die - reference) / kSpan_k;
-  }
-
   std::vector<Eigen::VectorXd> RateColumns(const Effect& effect) const {
     return RateColumnsOf(effect, problem_, fit_.point.model, filters_, fit_.at);
   }
@@ -189,20 +178,19 @@ class Fitter {
   void FindSlopes() {
     fit_.slopes_dps_per_k.clear();
     for (std::size_t run = 0; run < problem_.series.size(); ++run) {
-      const Eigen::ArrayXd x = X(fit_.at.die[run]);
+      const Eigen::ArrayXd x = problem_.X(fit_.at.die[run]);
       std::array<Eigen::ArrayXd, 3>& slopes = fit_.slopes_dps_per_k.emplace_back();
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (!problem_.measured[kRateX + axis]) continue;
         const auto b = fit_.RatesOf(axis).cubic;
-        slopes[axis] = (b[0] + 2 * b[1] * x + 3 * b[2] * x.square()) / kSpan_k;
+        slopes[axis] = (b[0] + 2 * b[1] * x + 3 * b[2] * x.square()) / Problem::kSpan_k;
       }
     }
   }
 
   /// One step, damped until the cost falls. Returns the cost.
   double Improve(double cost) {
-    Eigen::MatrixXd normal = fit_.columns.transpose() * fit_.columns;
-    normal.diagonal() += fit_.precision;
+    const Eigen::MatrixXd information = fit_.Information();
     Eigen::VectorXd slope = fit_.columns.transpose() * fit_.residual;
     for (std::size_t i = 0; i < knobs_.size(); ++i) {
       const auto k = static_cast<Eigen::Index>(i);
@@ -212,7 +200,7 @@ class Fitter {
     const Fitted before = fit_;
     const Eigen::ArrayXd largest = Largest();
     for (const double damping : {0.0, 0.01, 0.1, 1.0, 10.0, 100.0}) {  // Levenberg and Marquardt
-      Eigen::MatrixXd damped = normal;
+      Eigen::MatrixXd damped = information;
       damped.diagonal().head(knobs) *= 1 + damping;
       const Eigen::ArrayXd step = damped.ldlt().solve(slope).head(knobs).array();
       fit_.point = before.point;
@@ -299,10 +287,14 @@ std::vector<double> Fitted::Coefficients(std::size_t effect) const {
   return values;
 }
 
+Eigen::MatrixXd Fitted::Information() const {
+  Eigen::MatrixXd information = columns.transpose() * columns;
+  information.diagonal() += precision;
+  return information;
+}
+
 Eigen::MatrixXd Fitted::Covariance() const {
-  Eigen::MatrixXd normal = columns.transpose() * columns;
-  normal.diagonal() += precision;
-  return normal.ldlt().solve(Eigen::MatrixXd::Identity(normal.rows(), normal.cols()));
+  return Information().ldlt().solve(Eigen::MatrixXd::Identity(columns.cols(), columns.cols()));
 }
 
 std::vector<double> Fitted::CoefficientSd(std::size_t effect) const {

@@ -1,7 +1,6 @@
 #pragma once
 // Joint fit of the base model and of accepted effects: Gauss-Newton on whitened innovations.
 #include <Eigen/Core>
-#include <string>
 #include <vector>
 
 #include "rig/diagnose/effect.h"
@@ -19,10 +18,9 @@ struct Fitted {
   Point point;  ///< the thermal model
   Evaluated at;
   Filters::Slopes slopes_dps_per_k;
-  std::vector<std::string> names;  ///< of the columns: knobs, then what is linear in the rates
-  Eigen::MatrixXd columns;         ///< whitened sensitivities: stacked rows, a parameter each
-  Eigen::VectorXd precision;       ///< of each parameter's prior
-  Eigen::VectorXd residual;        ///< whitened, stacked; at the optimum
+  Eigen::MatrixXd columns;    ///< whitened sensitivities: stacked rows, a parameter each
+  Eigen::VectorXd precision;  ///< of each parameter's prior
+  Eigen::VectorXd residual;   ///< whitened, stacked; at the optimum
   Eigen::VectorXd linear;  ///< the rates' parameters: axis by axis constants, x, x^2, x^3; effects
   double cost = 0;         ///< |residual|^2 plus the priors' share: -2 log likelihood + const
 
@@ -33,7 +31,9 @@ struct Fitted {
   std::vector<Range> effect_columns;
   /// Values of an effect's coefficients, in typical magnitudes, and their standard deviations.
   std::vector<double> Coefficients(std::size_t effect) const;
-  /// Of all columns' parameters, from the curvature at the optimum (priors included).
+  /// Curvature of the cost over all columns' parameters, priors included; its inverse is their
+  /// covariance.
+  Eigen::MatrixXd Information() const;
   Eigen::MatrixXd Covariance() const;
   std::vector<double> CoefficientSd(std::size_t effect) const;
 

@@ -40,8 +40,7 @@ double MeanOfMeasured(const Eigen::ArrayXd& values) {
 /// What the fit's linear part says of one axis of one run, its constant left out.
 Eigen::ArrayXd Rate(const Problem& problem, const Fitted& fit, const Evaluated& at,
                     std::size_t axis, std::size_t run) {
-  const double reference = problem.nominal.gyro ? problem.nominal.gyro->reference_degc : 25.0;
-  const Eigen::ArrayXd x = (at.die[run] - reference) / 40;
+  const Eigen::ArrayXd x = problem.X(at.die[run]);
   const Fitted::RateParameters parameters = fit.RatesOf(axis);
   Eigen::ArrayXd rate =
       x * (parameters.cubic[0] + x * (parameters.cubic[1] + x * parameters.cubic[2]));

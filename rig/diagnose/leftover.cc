@@ -111,9 +111,7 @@ Seen See(const std::vector<Eigen::VectorXd>& columns, const Fitted& fit) {
     if (length > 1e-9) d.col(used++) = column / length;
   }
   d.conservativeResize(Eigen::NoChange, used);
-  Eigen::MatrixXd normal = fit.columns.transpose() * fit.columns;
-  normal.diagonal() += fit.precision;
-  d -= fit.columns * normal.ldlt().solve(fit.columns.transpose() * d);
+  d -= fit.columns * fit.Information().ldlt().solve(fit.columns.transpose() * d);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(d.transpose() * d);
   Seen seen;
   Eigen::VectorXd inverse = Eigen::VectorXd::Zero(used);
@@ -130,8 +128,8 @@ Seen See(const std::vector<Eigen::VectorXd>& columns, const Fitted& fit) {
 
 }  // namespace
 
-Leftover Judge(const Problem& problem, const Filters& filters, const Fitted& base,
-               const Fitted& best) {
+Leftover JudgeLeftover(const Problem& problem, const Filters& filters, const Fitted& base,
+                       const Fitted& best) {
   Leftover leftover;
   leftover.fitted = Eigen::VectorXd::Zero(problem.rows());
   double before_excess = 0, after_excess = 0;

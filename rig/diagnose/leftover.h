@@ -12,7 +12,7 @@ struct Leftover {
   double explained_share = 1;  ///< of what the dictionary saw before them
   Eigen::VectorXd fitted;      ///< whitened, stacked: what the dictionary explains of the rest
 };
-Leftover Judge(const Problem& problem, const Filters& filters, const Fitted& base,
-               const Fitted& best);
+Leftover JudgeLeftover(const Problem& problem, const Filters& filters, const Fitted& base,
+                       const Fitted& best);
 
 }  // namespace zrobench::diagnose

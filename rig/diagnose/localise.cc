@@ -34,7 +34,8 @@ Change EffectsOf(const Problem& problem, const SearchResult& search) {
   }
   Point without = fit.point;
   bool thermal = false;
-  for (std::size_t e = 0; e < fit.hypothesis.effects.size(); ++e) {
+  // What the station's simulation knows is no mismatch: it stands in front.
+  for (std::size_t e = search.known(); e < fit.hypothesis.effects.size(); ++e) {
     const Effect& effect = fit.hypothesis.effects[e];
     if (IsThermal(*effect.info)) {
       thermal = true;

@@ -5,7 +5,7 @@
 
 namespace zrobench::diagnose {
 
-/// What one block's mean scatters by in each channel, one block ahead.
+/// What one block's mean scatters by in each channel: sensor noise, white noise and flicker.
 PerChannel NoiseFloor(const Problem& problem, const Noise& noise);
 
 /// Where the missing part is larger than one standard deviation of a block: channels, stretches of

@@ -58,14 +58,6 @@ void Search(std::vector<double*> amplitudes, const std::function<double()>& cost
   }
 }
 
-std::vector<bool> Measured(const Eigen::ArrayXd& values) {
-  std::vector<bool> here(static_cast<std::size_t>(values.size()));
-  for (std::size_t i = 0; i < here.size(); ++i) {
-    here[i] = !std::isnan(values[static_cast<Eigen::Index>(i)]);
-  }
-  return here;
-}
-
 /// Everything that may move one axis' rates, natural units: a column a run-wise series.
 using Columns = std::vector<std::vector<Eigen::ArrayXd>>;
 
@@ -80,7 +72,7 @@ Columns RateSuspects(const Problem& problem, const Fitted& base, std::size_t axi
   }
   for (int power = 1; power <= 3; ++power) {
     auto& column = columns.emplace_back();
-    for (const Eigen::ArrayXd& die : base.at.die) column.push_back(((die - 25) / 40).pow(power));
+    for (const Eigen::ArrayXd& die : base.at.die) column.push_back(problem.X(die).pow(power));
   }
   for (const Effect& suspect : suspects) {
     if (IsThermal(*suspect.info)) continue;
@@ -103,7 +95,8 @@ void FitGyroNoise(const Problem& problem, const Columns& columns, std::size_t ax
     Eigen::Index first = 0;
     for (std::size_t run = 0; run < problem.series.size(); ++run) {
       const Eigen::ArrayXd& rates = problem.series[run].block[kRateX + axis];
-      const NoiseWhitener whitener(noise, problem.block_s(), Measured(rates));
+      const NoiseWhitener whitener(noise, problem.block_s(),
+                                   problem.series[run].Measured(kRateX + axis));
       log_determinant += whitener.log_determinant();
       for (std::size_t k = 0; k < columns.size(); ++k) {
         if (columns[k][run].size() == 0) continue;

@@ -7,14 +7,6 @@
 namespace zrobench::diagnose {
 namespace {
 
-std::vector<bool> MeasuredBlocks(const Eigen::ArrayXd& values) {
-  std::vector<bool> here(static_cast<std::size_t>(values.size()));
-  for (std::size_t i = 0; i < here.size(); ++i) {
-    here[i] = !std::isnan(values[static_cast<Eigen::Index>(i)]);
-  }
-  return here;
-}
-
 /// Gaps are bridged linearly; the ends are held.
 Eigen::ArrayXd Bridged(Eigen::ArrayXd values) {
   Eigen::Index last = -1;
@@ -54,14 +46,11 @@ Knob Additive(std::string name, double prior_sd, std::function<double&(Point&)> 
   return {std::move(name), std::move(of), false, prior_sd, 1e-2, 1};
 }
 
-bool AnyCooling(const Problem& problem) {
-  return std::ranges::any_of(problem.series, [](const Series& s) {
-    return std::ranges::any_of(s.inputs, [](const physics::Inputs& i) { return i.drive_pct < 0; });
-  });
-}
-bool AnyHeating(const Problem& problem) {
-  return std::ranges::any_of(problem.series, [](const Series& s) {
-    return std::ranges::any_of(s.inputs, [](const physics::Inputs& i) { return i.drive_pct > 0; });
+/// Whether the drive ever heats (sign 1) or cools (-1).
+bool EverDrives(const Problem& problem, double sign) {
+  return std::ranges::any_of(problem.series, [sign](const Series& s) {
+    return std::ranges::any_of(s.inputs,
+                               [sign](const physics::Inputs& i) { return sign * i.drive_pct > 0; });
   });
 }
 
@@ -104,6 +93,10 @@ Eigen::Index Problem::rows() const {
   return static_cast<Eigen::Index>(blocks * kMeasured);
 }
 
+Eigen::ArrayXd Problem::X(const Eigen::ArrayXd& die_degc) const {
+  return (die_degc - nominal.gyro.value_or(physics::GyroModel{}).reference_degc) / kSpan_k;
+}
+
 void Knob::Move(Point& point, double step) const {
   double& value = of(point);
   value = logarithmic ? value * std::exp(step) : value + step * unit;
@@ -119,11 +112,11 @@ std::vector<Knob> BaseKnobs(const Problem& problem) {
   if (problem.drive == Drive::kNothing) return knobs;
   // Only ratios show without a measurement of heat: the plate's capacity stays as stated.
   if (problem.drive == Drive::kHeat) {
-    if (AnyHeating(problem)) {
+    if (EverDrives(problem, 1)) {
       knobs.push_back(Logarithmic("model.plate.heater_w",
                                   [](Point& p) -> double& { return p.model.plate.heater_w; }));
     }
-    if (AnyCooling(problem)) {
+    if (EverDrives(problem, -1)) {
       knobs.push_back(Logarithmic("model.plate.cooler_w",
                                   [](Point& p) -> double& { return p.model.plate.cooler_w; }));
     }
@@ -187,8 +180,7 @@ Filters::Filters(const Problem& problem, const Point& about, const Noise& noise)
     }
     std::vector<NoiseWhitener> axes;
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      axes.emplace_back(noise.gyro[axis], problem.block_s(),
-                        MeasuredBlocks(s.block[kRateX + axis]));
+      axes.emplace_back(noise.gyro[axis], problem.block_s(), s.Measured(kRateX + axis));
     }
     rate_.push_back(std::move(axes));
   }

@@ -25,6 +25,9 @@ struct Problem {
   Problem Only(const std::vector<std::size_t>& runs) const;
 
   double block_s() const { return series.front().grid.block_s(); }
+  /// The cubic's variable: (T - reference) / kSpan_k, so that its coefficients are alike in size.
+  static constexpr double kSpan_k = 40;
+  Eigen::ArrayXd X(const Eigen::ArrayXd& die_degc) const;
   Eigen::Index rows() const;  ///< of a stacked vector: runs x channels x blocks
 };
 

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include "rig/diagnose/chi_square.h"
@@ -49,22 +50,22 @@ Scan::Scan(const Problem& problem, const Filters& filters, const Fitted& about,
            const std::vector<Effect>& candidates) {
   std::vector<Eigen::VectorXd> columns;
   for (const Effect& effect : candidates) {
-    const auto first = static_cast<Eigen::Index>(columns.size());
-    for (Eigen::VectorXd& column : ColumnsOf(effect, problem, filters, about)) {
-      if (column.squaredNorm() > kSilent && column.allFinite())
-        columns.push_back(std::move(column));
+    Block block{effect, static_cast<Eigen::Index>(columns.size()), 0, {}};
+    std::vector<Eigen::VectorXd> own = ColumnsOf(effect, problem, filters, about);
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      if (own[k].squaredNorm() <= kSilent || !own[k].allFinite()) continue;
+      columns.push_back(std::move(own[k]));
+      block.coefficients.push_back(k);
+      ++block.count;
     }
-    const auto count = static_cast<Eigen::Index>(columns.size()) - first;
-    if (count > 0) blocks_.push_back({effect, first, count});
+    if (block.count > 0) blocks_.push_back(std::move(block));
   }
   Eigen::MatrixXd c(problem.rows(), static_cast<Eigen::Index>(columns.size()));
   for (Eigen::Index k = 0; k < c.cols(); ++k) c.col(k) = columns[static_cast<std::size_t>(k)];
-  Eigen::MatrixXd normal = about.columns.transpose() * about.columns;
-  normal.diagonal() += about.precision;
   const Eigen::MatrixXd cross = about.columns.transpose() * c;
   information_ = c.transpose() * c;
   const Eigen::VectorXd raw = information_.diagonal();
-  information_ -= cross.transpose() * normal.ldlt().solve(cross);
+  information_ -= cross.transpose() * about.Information().ldlt().solve(cross);
   // The residual is at its optimum: the fitted columns are orthogonal to it but for the priors.
   const Eigen::VectorXd score = c.transpose() * about.residual;
 
@@ -90,10 +91,12 @@ Score Scan::Judge(const Block& block, const Eigen::VectorXd& score) const {
   const Eigen::MatrixXd own =
       information_.block(block.first, block.first, block.count, block.count);
   const Inverse inverse = Invert(own);
-  const Eigen::VectorXd estimate = inverse.pseudo * score;
-  Score judged{block.effect, {estimate.begin(), estimate.end()}, {}, score.dot(estimate), 0};
-  for (Eigen::Index i = 0; i < block.count; ++i) {
-    judged.limit.push_back(kVisible / std::sqrt(std::max(own(i, i), 1e-30)));
+  Score judged{block.effect, {}, score.dot(inverse.pseudo * score), 0};
+  judged.limit.resize(CoefficientsOf(*block.effect.info).size(),
+                      std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < block.coefficients.size(); ++i) {
+    const auto k = static_cast<Eigen::Index>(i);
+    judged.limit[block.coefficients[i]] = kVisible / std::sqrt(std::max(own(k, k), 1e-30));
   }
   judged.evidence = -2 * LogChiSquareTail(judged.gain, inverse.rank);
   return judged;

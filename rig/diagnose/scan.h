@@ -13,10 +13,11 @@ namespace zrobench::diagnose {
 /// the nuisance parameters have absorbed, and name the wrong term.
 struct Score {
   Effect effect;
-  std::vector<double> estimate;  ///< coefficients, in typical magnitudes
-  std::vector<double> limit;     ///< size at which each would show with five sigma (lambda = 25)
-  double gain = 0;               ///< chi-square of the coefficients together
-  double evidence = 0;           ///< -2 log of the chance of that gain without the effect
+  /// Size at which each coefficient would show with five sigma (lambda = 25), in typical
+  /// magnitudes; infinite where nothing would.
+  std::vector<double> limit;
+  double gain = 0;      ///< chi-square of the coefficients together
+  double evidence = 0;  ///< -2 log of the chance of that gain without the effect
 };
 
 /// Columns of all candidates with their projections.
@@ -39,6 +40,7 @@ class Scan {
   struct Block {
     Effect effect;
     Eigen::Index first, count;
+    std::vector<std::size_t> coefficients;  ///< that the columns belong to; silent ones have none
   };
   Score Judge(const Block& block, const Eigen::VectorXd& score) const;
 

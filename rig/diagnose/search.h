@@ -24,7 +24,9 @@ struct SearchResult {
   std::vector<Trial> rivals;      ///< for the first place: the others refitted, most evidence first
   std::vector<Score> first_scan;  ///< every term about the base model
   std::vector<const physics::TermInfo*> silent;
-  double threshold = 0;    ///< of the first scan
+  double threshold = 0;  ///< of the first scan
+  /// Effects that the station knows: in every hypothesis they stand in front.
+  std::size_t known() const { return base.hypothesis.effects.size(); }
   bool ambiguous = false;  ///< a rival for an accepted effect is as good as it
 };
 

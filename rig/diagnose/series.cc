@@ -106,6 +106,12 @@ Grid Grid::For(const std::vector<CaseRun>& runs) {
   return {spacing_s / steps, static_cast<std::size_t>(steps)};
 }
 
+std::vector<bool> Series::Measured(std::size_t channel) const {
+  std::vector<bool> here;
+  for (const double value : block[channel]) here.push_back(!std::isnan(value));
+  return here;
+}
+
 Series Resample(const CaseRun& run, const Grid& grid, const Station& station) {
   Series series;
   series.name = run.name;

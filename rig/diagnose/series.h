@@ -35,6 +35,8 @@ struct Series {
   Eigen::ArrayXd plate_in_degc;         ///< a fine step each; where a plate drives without a drive
   std::array<Eigen::ArrayXd, kMeasured> block;  ///< block means; NaN where nothing was measured
 
+  /// Which blocks of a channel hold a value.
+  std::vector<bool> Measured(std::size_t channel) const;
   std::size_t blocks() const { return static_cast<std::size_t>(block[0].size()); }
   double block_start_s(std::size_t i) const {
     return start_s + static_cast<double>(i) * grid.block_s();

@@ -102,6 +102,7 @@ struct TermInfo {
   const Term* term = nullptr;  ///< never null in the catalogue; lives as long as the program
   /// Columns of a recording without which the term is not testable; "a|b": either will do.
   std::vector<std::string_view> needs = {};
+  bool from_power_on = false;    ///< counts the time since power-on, which must be known
   bool needs_power_ons = false;  ///< one power-on cannot tell it from a constant or a drift
   /// In proportion to its coefficients, the shape given; else only while they are small.
   bool linear = true;

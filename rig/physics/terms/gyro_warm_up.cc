@@ -48,6 +48,7 @@ TermInfo GyroWarmUpInfo() {
       .states = 1,
       .term = &term,
       .needs = {"gyro_x_dps|gyro_y_dps|gyro_z_dps"},
+      .from_power_on = true,
   };
 }
 

@@ -120,6 +120,43 @@ TEST(Diagnosis, GapsAreNoPhysics) {
   EXPECT_EQ(OutcomeName(Of(gaps).outcome), "no_missing_physics");
 }
 
+TEST(Diagnosis, WhatTheStationKnowsIsNoMismatch) {
+  BenchRecording recording{.nominal = {}, .actual = Scattered()};
+  recording.nominal.terms = recording.actual.terms = {"gyro.supply"};
+  recording.actual.term["gyro.supply"]["dps_per_v"] = {0.08, 0.08, 0.08};
+  EXPECT_EQ(OutcomeName(Of(recording.Make()).outcome), "no_missing_physics");
+  recording.actual.terms.emplace_back("gyro.temperature_rate");
+  recording.actual.term["gyro.temperature_rate"]["dps_per_k_per_s"] = {0.05, 0.05, 0.05};
+  const Diagnosis d = Of(recording.Make());
+  ASSERT_EQ(OutcomeName(d.outcome), "named");
+  ASSERT_EQ(d.terms.size(), 1u);
+  EXPECT_EQ(d.terms[0].info->id, "gyro.temperature_rate");
+  EXPECT_NEAR(ParameterOf(d.terms[0], "dps_per_k_per_s_x").value, 0.05, 0.006);
+  // The first run rests at 55 degC there, while the supply steps.
+  const std::map<std::string, std::vector<std::pair<double, double>>>& where =
+      d.mismatch.intervals_s;
+  ASSERT_TRUE(where.contains("run-1"));
+  for (const auto& [begin, end] : where.at("run-1")) {
+    EXPECT_FALSE(begin < 1100 && end > 900) << begin << ".." << end;
+  }
+}
+
+TEST(Diagnosis, LimitsBelongToTheirParameter) {
+  // Only the board's heat while it works is untold here: that of its idling shows as an offset.
+  const Diagnosis d = Of(BenchRecording{}.Make());
+  for (const Limit& limit : d.limits) {
+    EXPECT_TRUE(std::isfinite(limit.smallest_visible)) << limit.info->id;
+    EXPECT_NE(limit.parameter, "full_load_w");
+  }
+}
+
+TEST(Diagnosis, WithoutAKnownPowerOnNoWarmUpIsTested) {
+  Case loaded = BenchRecording{}.Make();
+  EXPECT_THAT(Of(loaded).not_testable, testing::Not(testing::Contains("gyro.warm_up")));
+  loaded.station.recording.starts_at_power_on = false;
+  EXPECT_THAT(Of(loaded).not_testable, testing::Contains("gyro.warm_up"));
+}
+
 TEST(Diagnosis, WhatTheColumnsCannotShowIsSaid) {
   const Diagnosis d = Of(BenchRecording{}.Make());
   EXPECT_THAT(d.not_testable, testing::Contains("acoustic.rectification"));
