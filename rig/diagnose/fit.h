@@ -51,12 +51,4 @@ struct Fitted {
 Fitted Fit(const Problem& problem, const Filters& filters, const Point& start,
            const Hypothesis& hypothesis);
 
-/// Whitened sensitivities of the predictions to an effect's coefficients (in typical magnitudes),
-/// at zero, where a fit without it stands.
-std::vector<Eigen::VectorXd> RateColumnsOf(const Effect& effect, const Problem& problem,
-                                           const physics::Model& model, const Filters& filters,
-                                           const Evaluated& at);
-std::vector<Eigen::VectorXd> ThermalColumnsOf(const Effect& effect, const Filters& filters,
-                                              const Fitted& about);
-
 }  // namespace zrobench::diagnose

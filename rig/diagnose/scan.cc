@@ -8,6 +8,7 @@
 #include <map>
 
 #include "rig/diagnose/chi_square.h"
+#include "rig/diagnose/columns.h"
 #include "rig/physics/random.h"
 
 namespace zrobench::diagnose {
@@ -38,13 +39,6 @@ Inverse Invert(const Eigen::MatrixXd& information) {
 }
 
 }  // namespace
-
-std::vector<Eigen::VectorXd> ColumnsOf(const Effect& effect, const Problem& problem,
-                                       const Filters& filters, const Fitted& about) {
-  return IsThermal(*effect.info)
-             ? ThermalColumnsOf(effect, filters, about)
-             : RateColumnsOf(effect, problem, about.point.model, filters, about.at);
-}
 
 Scan::Scan(const Problem& problem, const Filters& filters, const Fitted& about,
            const std::vector<Effect>& candidates) {

@@ -50,8 +50,4 @@ class Scan {
   std::vector<const physics::TermInfo*> silent_;
 };
 
-/// Columns at zero of one effect about a fit.
-std::vector<Eigen::VectorXd> ColumnsOf(const Effect& effect, const Problem& problem,
-                                       const Filters& filters, const Fitted& about);
-
 }  // namespace zrobench::diagnose
