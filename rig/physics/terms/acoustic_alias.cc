@@ -1,10 +1,6 @@
 #include "rig/physics/terms/acoustic_alias.h"
 
-#include <cmath>
-#include <numbers>
-
-#include "rig/physics/terms/acoustic_resonance.h"
-#include "rig/physics/terms/resonator.h"
+#include "rig/physics/terms/resonant_swing.h"
 
 namespace zrobench::physics {
 namespace {
@@ -12,46 +8,20 @@ namespace {
 constexpr std::size_t kDpsPerPa = 0;  // 3
 constexpr std::size_t kClockPpmPerK = 3, kClockReferenceDegc = 4;
 constexpr std::size_t kBorrowed = 5;  // the resonance's own
-constexpr std::size_t kResonanceHz = kBorrowed + ResonanceLayout::kResonanceHz;
-constexpr std::size_t kQ = kBorrowed + ResonanceLayout::kQ;
-constexpr std::size_t kEnvelopes = 3;  ///< first of the resonators' states
 
-/// States: the phase of each axis' motion at the sampling instants, in turns 0 .. 1, then the
-/// resonators'. The phase moves by f times the gyro's own sample period, whole turns dropped: that
-/// is the folding. The clock is the gyro's own oscillator and runs with the die's temperature.
-class AcousticAlias final : public Term {
+/// The phase moves by f times the gyro's own sample period: that is the folding. The clock is the
+/// gyro's own oscillator and runs with the die's temperature.
+class AcousticAlias final : public ResonantSwing {
  public:
-  void PowerOn(std::span<double> states) const override {
-    for (double& state : states) state = 0;
-  }
-  void Step(const TermContext& context, std::span<const double> parameters,
-            std::span<double> states) const override {
-    const Inputs& inputs = context.inputs;
-    if (inputs.tone_pa == 0) return;
+  AcousticAlias() : ResonantSwing(kBorrowed, kDpsPerPa) {}
+
+ protected:
+  double Turns(const TermContext& context, std::span<const double> parameters, double moved_hz,
+               double) const override {
     const double warmer_k = context.temperatures.die_degc - parameters[kClockReferenceDegc];
     const double period_s =
         context.sample_period_s / (1 + 1e-6 * parameters[kClockPpmPerK] * warmer_k);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double resonance_hz = parameters[kResonanceHz + axis] * context.resonance_scale;
-      StepResonator(context, axis, resonance_hz, parameters[kQ],
-                    states.subspan(kEnvelopes + axis * kResonatorStates, kResonatorStates));
-      const double moved_hz = inputs.tone_band_hz > 0 ? resonance_hz : inputs.tone_hz;
-      const double turns = states[axis] + moved_hz * period_s;
-      states[axis] = turns - std::floor(turns);
-    }
-  }
-  void Output(const TermContext& context, std::span<const double> parameters,
-              std::span<const double> states, Sensed& sensed) const override {
-    if (context.inputs.tone_pa == 0) return;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double resonance_hz = parameters[kResonanceHz + axis] * context.resonance_scale;
-      const auto motion =
-          MotionOf(context.inputs, resonance_hz, parameters[kQ],
-                   states.subspan(kEnvelopes + axis * kResonatorStates, kResonatorStates));
-      const double angle = 2 * std::numbers::pi * states[axis];
-      const double swing = motion.in_phase * std::cos(angle) - motion.quadrature * std::sin(angle);
-      sensed.rate_dps[axis] += parameters[kDpsPerPa + axis] * motion.pa * swing;
-    }
+    return moved_hz * period_s;
   }
 };
 
@@ -98,7 +68,7 @@ TermInfo AcousticAliasInfo() {
       .channels = {"gyro_x_dps", "gyro_y_dps", "gyro_z_dps"},
       .lookalikes = {"acoustic.rectification", "acoustic.resonance"},
       .excitation = "tones near resonance, moved by 1 Hz, at two temperatures",
-      .states = kEnvelopes + 3 * kResonatorStates,
+      .states = ResonantSwing::kStates,
       .term = &term,
       .needs = {"tone_hz", "tone_spl_db|tone_v", "imu_degc", "gyro_x_dps|gyro_y_dps|gyro_z_dps"},
       .needs_every_sample = true,

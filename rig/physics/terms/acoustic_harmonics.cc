@@ -11,8 +11,7 @@ namespace {
 
 constexpr std::size_t kSecond = 0, kThird = 1;
 constexpr std::size_t kDpsPerPa2 = 2;  // 3: the rectification's
-constexpr std::size_t kResonanceHz = 5 + ResonanceLayout::kResonanceHz;
-constexpr std::size_t kQ = 5 + ResonanceLayout::kQ;
+constexpr std::size_t kBorrowed = 5;   // the resonance's own
 
 /// Of a tone; what noise is distorted into stays spread and weak.
 class AcousticHarmonics final : public Term {
@@ -24,10 +23,11 @@ class AcousticHarmonics final : public Term {
     const double pa2 = inputs.tone_pa * inputs.tone_pa;
     const double second_pa2 = parameters[kSecond] * pa2 * pa2;
     const double third_pa2 = parameters[kThird] * pa2 * pa2 * pa2;
+    const auto resonance = parameters.subspan(kBorrowed);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double resonance_hz = parameters[kResonanceHz + axis] * context.resonance_scale;
+      const double resonance_hz = ResonanceHz(context, resonance, axis);
       const auto passed = [&](double hz) {
-        return std::pow(ResonantGain(hz, resonance_hz, parameters[kQ]), 2);
+        return std::pow(ResonantGain(hz, resonance_hz, resonance[ResonanceLayout::kQ]), 2);
       };
       sensed.rate_dps[axis] +=
           parameters[kDpsPerPa2 + axis] *

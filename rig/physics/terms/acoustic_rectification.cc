@@ -6,31 +6,28 @@
 namespace zrobench::physics {
 namespace {
 
-constexpr std::size_t kDpsPerPa2 = 0;  // 3, then the resonance's own
-constexpr std::size_t kResonanceHz = 3 + ResonanceLayout::kResonanceHz;
-constexpr std::size_t kQ = 3 + ResonanceLayout::kQ;
+constexpr std::size_t kDpsPerPa2 = 0;  // 3
+constexpr std::size_t kBorrowed = 3;   // the resonance's own
 
 class AcousticRectification final : public Term {
  public:
   void Step(const TermContext& context, std::span<const double> parameters,
             std::span<double> states) const override {
     if (context.inputs.tone_pa == 0) return;
+    const auto resonance = parameters.subspan(kBorrowed);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double resonance_hz = parameters[kResonanceHz + axis] * context.resonance_scale;
-      StepResonator(context, axis, resonance_hz, parameters[kQ],
-                    states.subspan(axis * kResonatorStates, kResonatorStates));
+      StepResonator(context, axis, ResonanceHz(context, resonance, axis),
+                    resonance[ResonanceLayout::kQ], EnvelopeOf(axis, states));
     }
   }
   void Output(const TermContext& context, std::span<const double> parameters,
               std::span<const double> states, Sensed& sensed) const override {
     const Inputs& inputs = context.inputs;
     if (inputs.tone_pa == 0) return;
+    const auto resonance = parameters.subspan(kBorrowed);
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double resonance_hz = parameters[kResonanceHz + axis] * context.resonance_scale;
-      const auto envelope = inputs.tone_band_hz > 0
-                                ? states.subspan(axis * kResonatorStates, kResonatorStates)
-                                : std::span<const double>();
-      const auto motion = MotionOf(inputs, resonance_hz, parameters[kQ], envelope);
+      const auto motion = MotionOf(inputs, ResonanceHz(context, resonance, axis),
+                                   resonance[ResonanceLayout::kQ], EnvelopeOf(axis, states));
       sensed.rate_dps[axis] += parameters[kDpsPerPa2 + axis] * motion.power();
     }
   }

@@ -1,52 +1,20 @@
 #include "rig/physics/terms/acoustic_resonance.h"
 
-#include <cmath>
-#include <numbers>
-
-#include "rig/physics/terms/resonator.h"
+#include "rig/physics/terms/resonant_swing.h"
 
 namespace zrobench::physics {
 namespace {
 
-using Layout = ResonanceLayout;
-
-constexpr std::size_t kEnvelopes = 3;  ///< first of the resonators' states
-
-/// States: the phase of each axis' beat, in turns 0 .. 1, then the resonators'. Moving a phase by
-/// the unfolded beat frequency a sample makes the sampled sinusoid fold at sample_hz / 2 by itself,
-/// and a phase that is a state stays continuous when the tone moves.
-class AcousticResonance final : public Term {
+/// The phase is that of the beat with the drive, which stands beside the resonance.
+class AcousticResonance final : public ResonantSwing {
  public:
-  // The drive oscillator starts anew, and with it the beat.
-  void PowerOn(std::span<double> states) const override {
-    for (double& state : states) state = 0;
-  }
-  void Step(const TermContext& context, std::span<const double> parameters,
-            std::span<double> states) const override {
-    if (context.inputs.tone_pa == 0) return;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double resonance_hz = parameters[Layout::kResonanceHz + axis] * context.resonance_scale;
-      StepResonator(context, axis, resonance_hz, parameters[Layout::kQ],
-                    states.subspan(kEnvelopes + axis * kResonatorStates, kResonatorStates));
-      const double drive_hz = resonance_hz - parameters[Layout::kModeSplitHz];
-      const double moved_hz =
-          context.inputs.tone_band_hz > 0 ? resonance_hz : context.inputs.tone_hz;
-      const double turns = states[axis] + (moved_hz - drive_hz) * context.sample_period_s;
-      states[axis] = turns - std::floor(turns);
-    }
-  }
-  void Output(const TermContext& context, std::span<const double> parameters,
-              std::span<const double> states, Sensed& sensed) const override {
-    if (context.inputs.tone_pa == 0) return;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const double resonance_hz = parameters[Layout::kResonanceHz + axis] * context.resonance_scale;
-      const auto motion =
-          MotionOf(context.inputs, resonance_hz, parameters[Layout::kQ],
-                   states.subspan(kEnvelopes + axis * kResonatorStates, kResonatorStates));
-      const double angle = 2 * std::numbers::pi * states[axis];
-      const double swing = motion.in_phase * std::cos(angle) - motion.quadrature * std::sin(angle);
-      sensed.rate_dps[axis] += parameters[Layout::kInjection + axis] * motion.pa * swing;
-    }
+  AcousticResonance() : ResonantSwing(0, ResonanceLayout::kInjection) {}
+
+ protected:
+  double Turns(const TermContext& context, std::span<const double> parameters, double moved_hz,
+               double resonance_hz) const override {
+    const double drive_hz = resonance_hz - parameters[ResonanceLayout::kModeSplitHz];
+    return (moved_hz - drive_hz) * context.sample_period_s;
   }
 };
 
@@ -95,7 +63,7 @@ TermInfo AcousticResonanceInfo() {
       .channels = {"gyro_x_dps", "gyro_y_dps", "gyro_z_dps"},
       .lookalikes = {"acoustic.alias", "sound through the structure", "acoustic.harmonics"},
       .excitation = "tones in steps across the resonance, at two levels",
-      .states = kEnvelopes + 3 * kResonatorStates,
+      .states = ResonantSwing::kStates,
       .term = &term,
       .needs = {"tone_hz", "tone_spl_db|tone_v", "gyro_x_dps|gyro_y_dps|gyro_z_dps"},
       .needs_every_sample = true,

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <span>
 
+#include "rig/physics/term.h"
+
 namespace zrobench::physics {
 
 /// States: the held value; for how long it has been held [s]; what was there to read at the end of
@@ -30,5 +32,18 @@ inline double HeldValue(double input, double hold_s, double dt_s, std::span<doub
   states[2] = input;
   return states[0];
 }
+
+/// The register that one sensor is read through; its one parameter is hold_s.
+template <double Temperatures::*kSensor>
+class HeldRegister final : public Term {
+ public:
+  void Place(const Temperatures& at, std::span<double> states) const override {
+    PlaceHold(at.*kSensor, states);
+  }
+  void Show(const HeatContext& context, std::span<const double> parameters,
+            std::span<double> states, Temperatures& shown) const override {
+    shown.*kSensor = HeldValue(shown.*kSensor, parameters[0], context.dt_s, states);
+  }
+};
 
 }  // namespace zrobench::physics

@@ -33,10 +33,10 @@ void StepResonator(const TermContext& context, std::size_t axis, double resonanc
 ResonatorMotion MotionOf(const Inputs& inputs, double resonance_hz, double q,
                          std::span<const double> states) {
   if (inputs.tone_band_hz <= 0) {
-    return {inputs.tone_pa * ResonantGain(inputs.tone_hz, resonance_hz, q), inputs.tone_hz};
+    return {inputs.tone_pa * ResonantGain(inputs.tone_hz, resonance_hz, q)};
   }
   const double gain = ResonantBandGain(inputs.tone_hz, inputs.tone_band_hz, resonance_hz, q);
-  return {inputs.tone_pa * gain, resonance_hz, states[0], states[1]};
+  return {inputs.tone_pa * gain, states[0], states[1]};
 }
 
 }  // namespace zrobench::physics

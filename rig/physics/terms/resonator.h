@@ -16,17 +16,21 @@ double ResonantGain(double tone_hz, double resonance_hz, double q);
 /// resonance inside the band leaves its noise bandwidth, pi f_r / (2 Q), over the band's.
 double ResonantBandGain(double centre_hz, double band_hz, double resonance_hz, double q);
 
-/// How one resonance moves under the sound of `inputs`: a sinusoid of `hz`, scaled as a tone on the
-/// peak of rms pressure `pa` would move it, times an envelope of mean square 1.
+/// How one resonance moves under the sound of `inputs`: a sinusoid, scaled as a tone on the peak of
+/// rms pressure `pa` would move it, times an envelope of mean square 1.
 struct ResonatorMotion {
   double pa = 0;
-  double hz = 0;
   double in_phase = 1, quadrature = 0;  ///< envelope; constant for a tone
   double power() const { return pa * pa * (in_phase * in_phase + quadrature * quadrature); }
 };
 
 /// States that a resonator needs: the envelope of its answer to noise.
 inline constexpr std::size_t kResonatorStates = 2;
+/// Those of one axis, in the states of all three.
+template <typename T>
+std::span<T> EnvelopeOf(std::size_t axis, std::span<T> all) {
+  return all.subspan(axis * kResonatorStates, kResonatorStates);
+}
 
 /// Moves an axis' envelope on by a sample while noise sounds. Noise through a resonance is a
 /// carrier at f_r whose envelope is a complex Gaussian process that forgets within Q / (pi f_r),
@@ -34,7 +38,6 @@ inline constexpr std::size_t kResonatorStates = 2;
 /// on the same resonance see the same envelope.
 void StepResonator(const TermContext& context, std::size_t axis, double resonance_hz, double q,
                    std::span<double> states);
-/// `states` may be empty for a tone.
 ResonatorMotion MotionOf(const Inputs& inputs, double resonance_hz, double q,
                          std::span<const double> states);
 

@@ -4,23 +4,9 @@
 #include "rig/physics/terms/hold.h"
 
 namespace zrobench::physics {
-namespace {
-
-class ThermalDieSensorHold final : public Term {
- public:
-  void Place(const Temperatures& at, std::span<double> states) const override {
-    PlaceHold(at.die_degc, states);
-  }
-  void Show(const HeatContext& context, std::span<const double> parameters,
-            std::span<double> states, Temperatures& shown) const override {
-    shown.die_degc = HeldValue(shown.die_degc, parameters[0], context.dt_s, states);
-  }
-};
-
-}  // namespace
 
 TermInfo ThermalDieSensorHoldInfo() {
-  static const ThermalDieSensorHold term;
+  static const HeldRegister<&Temperatures::die_degc> term;
   return {
       .id = "thermal.die_sensor_hold",
       .sentence =

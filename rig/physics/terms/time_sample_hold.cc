@@ -4,23 +4,9 @@
 #include "rig/physics/terms/hold.h"
 
 namespace zrobench::physics {
-namespace {
-
-class TimeSampleHold final : public Term {
- public:
-  void Place(const Temperatures& at, std::span<double> states) const override {
-    PlaceHold(at.plate_degc, states);
-  }
-  void Show(const HeatContext& context, std::span<const double> parameters,
-            std::span<double> states, Temperatures& shown) const override {
-    shown.plate_degc = HeldValue(shown.plate_degc, parameters[0], context.dt_s, states);
-  }
-};
-
-}  // namespace
 
 TermInfo TimeSampleHoldInfo() {
-  static const TimeSampleHold term;
+  static const HeldRegister<&Temperatures::plate_degc> term;
   return {
       .id = "time.sample_hold",
       .sentence =
