@@ -7,36 +7,10 @@
 #include "core/units.h"
 #include "rig/physics/rig_model.h"
 #include "rig/physics/terms/resonator.h"
+#include "tests/unit/physics/sound_fixture.h"
 
 namespace zrobench::physics {
 namespace {
-
-/// A gyro without noise or offset, so that what is left is the sound.
-Model Silent(std::vector<std::string> terms) {
-  Model model;
-  model.gyro = GyroModel{25, 0, 0, {}};
-  model.terms = std::move(terms);
-  return model;
-}
-
-Inputs Tone(double hz, double pa) {
-  Inputs inputs;
-  inputs.tone_hz = hz;
-  inputs.tone_pa = pa;
-  return inputs;
-}
-
-std::vector<double> Record(RigModel& rig, const Inputs& inputs, int samples, std::size_t axis = 2) {
-  std::vector<double> rate_dps;
-  for (int i = 0; i < samples; ++i) rate_dps.push_back(rig.SampleSensors(inputs).rate_dps[axis]);
-  return rate_dps;
-}
-
-double Mean(const std::vector<double>& x) {
-  double sum = 0;
-  for (const double value : x) sum += value;
-  return sum / static_cast<double>(x.size());
-}
 
 /// Amplitude of the sinusoid in x.
 double Amplitude(const std::vector<double>& x) {

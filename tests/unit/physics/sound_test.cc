@@ -2,22 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 #include "rig/physics/rig_model.h"
 #include "rig/physics/terms/resonator.h"
+#include "tests/unit/physics/sound_fixture.h"
 
 namespace zrobench::physics {
 namespace {
-
-/// A gyro without noise or offset, so that what is left is the sound.
-Model Silent(std::vector<std::string> terms) {
-  Model model;
-  model.gyro = GyroModel{25, 0, 0, {}};
-  model.terms = std::move(terms);
-  return model;
-}
 
 Inputs Music(double low_hz, double high_hz, double pa) {
   Inputs inputs;
@@ -25,16 +17,6 @@ Inputs Music(double low_hz, double high_hz, double pa) {
   inputs.tone_band_hz = high_hz - low_hz;
   inputs.tone_pa = pa;
   return inputs;
-}
-
-std::vector<double> Record(RigModel& rig, const Inputs& inputs, int samples, std::size_t axis = 2) {
-  std::vector<double> rate_dps;
-  for (int i = 0; i < samples; ++i) rate_dps.push_back(rig.SampleSensors(inputs).rate_dps[axis]);
-  return rate_dps;
-}
-
-double Mean(const std::vector<double>& x) {
-  return std::accumulate(x.begin(), x.end(), 0.0) / static_cast<double>(x.size());
 }
 
 double Rms(const std::vector<double>& x) {
@@ -87,10 +69,11 @@ TEST(Music, SwingsLikeNoiseWithTheEnergyInTheBandAndNoLine) {
   RigModel rig = RigModel::Make(Silent({"acoustic.resonance"}), 200, 1).value();
   const auto rate_dps = Record(rig, Music(24000, 30000, 6), 100000);
   const double share = MeanPowerGain(24000, 30000, 27000, 450);
-  EXPECT_NEAR(Rms(rate_dps) / (0.15 * 6 * std::sqrt(share / 2)), 1, 0.02);
+  const double rms_dps = Rms(rate_dps);
+  EXPECT_NEAR(rms_dps / (0.15 * 6 * std::sqrt(share / 2)), 1, 0.02);
   // A tone's sinusoid never exceeds 1.4 times its rms; noise does, often.
   int beyond = 0;
-  for (const double dps : rate_dps) beyond += std::fabs(dps) > 2 * Rms(rate_dps);
+  for (const double dps : rate_dps) beyond += std::fabs(dps) > 2 * rms_dps;
   EXPECT_NEAR(beyond / 1e5, 0.0455, 0.005);  // of a Gaussian
 }
 
@@ -133,13 +116,6 @@ TEST(Music, LeavesTheOtherNoiseAsItWas) {
   Record(loud, Music(24000, 30000, 6), 500);
   Record(quiet, {}, 500);
   EXPECT_EQ(Record(loud, {}, 100), Record(quiet, {}, 100));
-}
-
-Inputs Tone(double hz, double pa) {
-  Inputs inputs;
-  inputs.tone_hz = hz;
-  inputs.tone_pa = pa;
-  return inputs;
 }
 
 /// Frequency of the line that a tone leaves at a die temperature.

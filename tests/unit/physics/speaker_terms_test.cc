@@ -9,26 +9,18 @@
 #include "rig/physics/rig_model.h"
 #include "rig/physics/term.h"
 #include "rig/physics/terms/resonator.h"
+#include "tests/unit/physics/sound_fixture.h"
 
 namespace zrobench::physics {
 namespace {
 
 /// Only the shift of axis Z, 1 dps/Pa^2 on its resonance at 27 kHz, Q 450, and one term more.
 Model Rectifying(const std::string& id, TermParameters parameters) {
-  Model model;
-  model.gyro = GyroModel{25, 0, 0, {}};
-  model.terms = {id, "acoustic.rectification"};
+  Model model = Silent({id, "acoustic.rectification"});
   model.term["acoustic.rectification"]["dps_per_pa2"] = {0, 0, 1};
   model.term[id] = std::move(parameters);
   EXPECT_TRUE(FindErrors(model).empty());
   return model;
-}
-
-Inputs Tone(double hz, double pa) {
-  Inputs inputs;
-  inputs.tone_hz = hz;
-  inputs.tone_pa = pa;
-  return inputs;
 }
 
 TEST(ResonanceDrift, AToneThatFollowsTheResonanceHearsNoTemperature) {
