@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "rig/profile/dew_point.h"
+#include "rig/profile/limits.h"
 #include "rig/profile/sounds.h"
 
 namespace zrobench {
@@ -182,11 +183,6 @@ std::optional<double> SetPointOf(const Action& action) {
   if (const Soak* soak = std::get_if<Soak>(&action)) return soak->to_degc;
   if (const Ramp* ramp = std::get_if<Ramp>(&action)) return ramp->to_degc;
   return std::nullopt;
-}
-
-Range SetPointRange(const Station& station) {
-  return Limited(station.limits.min_degc, station.limits.max_degc, LimitOf(station, "min_degc"),
-                 LimitOf(station, "max_degc"));
 }
 
 std::optional<Action> ReadAction(TableReader* step, const Station& station) {

@@ -19,7 +19,4 @@ std::vector<Stimulus> ReadStimuli(TableReader* step, const Station& station,
 /// Where a soak or a ramp goes; empty for other actions.
 std::optional<double> SetPointOf(const Action& action);
 
-/// Temperatures that the plate may be sent to; the message names the station's limit.
-Range SetPointRange(const Station& station);
-
 }  // namespace zrobench

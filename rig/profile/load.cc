@@ -5,6 +5,7 @@
 #include "core/toml_reader.h"
 #include "rig/profile/actions.h"
 #include "rig/profile/expectations.h"
+#include "rig/profile/limits.h"
 #include "rig/profile/plan.h"
 #include "rig/profile/profile.h"
 
@@ -47,10 +48,10 @@ void CheckNeeds(const Needs& needs, const Action& action, TableReader reader) {
 /// Every step alone may be short enough; together they end, too.
 void CheckLength(const Profile& profile, const Station& station, const std::vector<Place>& places,
                  Diagnostics* diagnostics) {
-  constexpr double kLongest_s = 7 * 86400.0;
+  const double longest_s = DurationRange().high;
   const std::vector<double> ends_s = StepEndsS(profile, station.model.ambient_degc);
   for (std::size_t i = 0; i < profile.steps.size(); ++i) {
-    if (ends_s[i + 1] <= kLongest_s) continue;
+    if (ends_s[i + 1] <= longest_s) continue;
     diagnostics->Add(places[i], fmt::format("with this step the profile takes {:.1f} days or more; "
                                             "seven are the most",
                                             ends_s[i + 1] / 86400));

@@ -5,12 +5,11 @@
 #include <cmath>
 
 #include "core/units.h"
+#include "rig/profile/limits.h"
 
 namespace zrobench {
 namespace {
 
-constexpr double kWeek_s = 7 * 86400.0;  // longer is a slip of units
-constexpr double kShortest_s = 0.1;
 constexpr double kMinDwell_s = 0.2;   // two ticks, so that every tone of a sweep sounds
 constexpr double kMostTones = 10000;  // of one sweep
 constexpr double kMinTone_v = 1e-6;   // far below any generator's smallest step
@@ -22,7 +21,7 @@ Range ToneRange(const Station& station) {
 
 /// What a station allows in one go; its transducer then wants a pause.
 Range SoundRange(const Station& station) {
-  return Limited(kShortest_s, station.limits.max_tone_s, "the bench's tick",
+  return Limited(DurationRange().low, station.limits.max_tone_s, "the bench's tick",
                  LimitOf(station, "max_tone_s"));
 }
 
@@ -79,20 +78,6 @@ void MeasureSweep(TableReader* reader, const Station& station, Sweep* sweep) {
 }
 
 }  // namespace
-
-std::string LimitOf(const Station& station, std::string_view key) {
-  return fmt::format("{} of station {}", key, station.path.string());
-}
-
-Range Limited(double low, double high, const std::string& low_reason,
-              const std::string& high_reason) {
-  Range range = Range::Between(low, high);
-  range.low_reason = low_reason;
-  range.high_reason = high_reason;
-  return range;
-}
-
-Range DurationRange() { return Limited(kShortest_s, kWeek_s, "the bench's tick", "seven days"); }
 
 Tone ReadTone(TableReader reader, const Station& station) {
   Tone tone;
