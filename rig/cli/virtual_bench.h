@@ -18,10 +18,9 @@ class VirtualBench {
     return bench;
   }
   Instruments instruments() {
-    return {clock_,          rig_->plate(),
-            rig_->speaker(), rig_->bus(),
-            &rig_->power(),  &rig_->environment(),
-            &rig_->hand(),   [this](Duration by) { clock_.AdvanceDate(by); }};
+    return {{clock_, rig_->plate(), rig_->speaker(), &rig_->power(), &rig_->environment(),
+             &rig_->hand(), [this](Duration by) { clock_.AdvanceDate(by); }},
+            rig_->bus()};
   }
 
  private:

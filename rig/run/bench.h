@@ -12,17 +12,21 @@
 
 namespace zrobench {
 
-/// Borrowed instruments. `power`, `environment` and `hand` may be null where a bench has none.
-struct Bench {
+/// What stands around the board, all borrowed. `power`, `environment` and `hand` may be null where
+/// a bench has none.
+struct Apparatus {
   Clock& clock;
   ThermalPlate& plate;
   Speaker& speaker;
-  ImuBoard& board;
   Power* power = nullptr;
   Environment* environment = nullptr;
   Operator* hand = nullptr;
   /// Moves wall time on; empty where the date is the real one.
   std::function<void(Duration)> advance_date = {};
+};
+
+struct Bench : Apparatus {
+  ImuBoard& board;  ///< borrowed
 };
 
 /// Makes the bench safe: speaker muted first, then the plate off, then the board's supply on: it

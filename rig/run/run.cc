@@ -49,9 +49,7 @@ Flow Drive(const RunRequest& request, Instruments& instruments, Recorder& record
   RunLog log(recorder, instruments.clock, request.observer);
   BusTap tap(log);
   CanImuBoard board(instruments.bus, instruments.clock, &tap);
-  Bench bench{
-      instruments.clock, instruments.plate,       instruments.speaker, board,
-      instruments.power, instruments.environment, instruments.hand,    instruments.advance_date};
+  Bench bench{instruments, board};
   BenchLoop loop(bench, request.station, log, request.stop);
   const Flow flow = Sequencer(request.profile, loop).Execute();
   tap.Finish();

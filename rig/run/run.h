@@ -1,35 +1,22 @@
 #pragma once
 // One run from profile to verdict: folder, record, sequence, checks, run.json.
 #include <filesystem>
-#include <functional>
 #include <string>
 
 #include "core/result.h"
-#include "drivers/environment/environment.h"
 #include "drivers/link/can_bus.h"
-#include "drivers/operator/operator.h"
-#include "drivers/plate/thermal_plate.h"
-#include "drivers/power/power.h"
-#include "drivers/speaker/speaker.h"
 #include "rig/profile/profile.h"
 #include "rig/record/run_json.h"
+#include "rig/run/bench.h"
 #include "rig/run/halt.h"
 #include "rig/run/run_log.h"
 #include "rig/station/station.h"
 
 namespace zrobench {
 
-/// The opened instruments of a station; all borrowed, the three pointers may be null.
-struct Instruments {
-  Clock& clock;
-  ThermalPlate& plate;
-  Speaker& speaker;
-  CanBus& bus;
-  Power* power = nullptr;
-  Environment* environment = nullptr;
-  Operator* hand = nullptr;
-  /// Moves wall time on; empty where the date is the real one.
-  std::function<void(Duration)> advance_date = {};
+/// The opened instruments of a station.
+struct Instruments : Apparatus {
+  CanBus& bus;  ///< borrowed; the board is at its other end
 };
 
 struct RunRequest {

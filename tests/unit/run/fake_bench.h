@@ -184,7 +184,7 @@ class BenchTest : public testing::Test {
   FakePower power_;
   FakeHand hand_;
   FakeBoard board_;
-  Bench bench_{clock_, plate_, speaker_, board_, &power_, nullptr, &hand_};
+  Bench bench_{{clock_, plate_, speaker_, &power_, nullptr, &hand_}, board_};
   Station station_;
   StopRequest stop_;
 };
