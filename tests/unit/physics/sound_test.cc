@@ -7,6 +7,7 @@
 #include "rig/physics/rig_model.h"
 #include "rig/physics/terms/resonator.h"
 #include "tests/unit/physics/sound_fixture.h"
+#include "tests/unit/physics/spectrum.h"
 
 namespace zrobench::physics {
 namespace {
@@ -77,6 +78,14 @@ TEST(Music, SwingsLikeNoiseWithTheEnergyInTheBandAndNoLine) {
   EXPECT_NEAR(beyond / 1e5, 0.0455, 0.005);  // of a Gaussian
 }
 
+TEST(Music, IsHeardAtTheResonancesOwnBeatWhereverItsBandLies) {
+  RigModel fast = RigModel::Make(Silent({"acoustic.resonance"}), 4000, 1).value();
+  const auto rate_dps = Record(fast, Music(25000, 31000, 6), 40000);  // middle 1 kHz above Z's
+  const auto density = [&](std::size_t hz) { return Density(rate_dps, 4000, 400, hz / 10, 2); };
+  // 1373 Hz from the drive, 30 Hz half wide. The band's middle would beat at 2373 and fold to 1627.
+  EXPECT_GT(density(1370), 30 * density(1620));
+}
+
 TEST(Music, FadesWithinMillisecondsSoThatSamplesForgetEachOther) {
   RigModel fast = RigModel::Make(Silent({"acoustic.rectification"}), 2000, 1).value();
   const auto dps = Record(fast, Music(24000, 30000, 6), 400000);
@@ -140,6 +149,7 @@ TEST(Alias, ToneOnAMultipleOfTheDataRateStandsStillAndMovesWithTheToneHertzForHe
 TEST(Alias, MovesWithTheGyrosClockAsItWarms) {
   EXPECT_NEAR(AliasHz(27000, 26), 2.7, 0.02);  // 100 ppm of 27 kHz
   EXPECT_NEAR(AliasHz(27000, 35), 27, 0.1);
+  EXPECT_NEAR(AliasHz(27010, 26), 7.3, 0.02);  // faster when warm: its multiple comes nearer
 }
 
 TEST(Alias, StandingStillItIsAnOffsetLinearInPressure) {
