@@ -105,6 +105,14 @@ TEST_F(ChecksTest, NoCorruptEntryFailsOnAWriteDuringAStimulusOrFarFromTheTruth) 
   EXPECT_EQ(Run("no_corrupt_entry", kWithin).verdict, Verdict::kFail);
 }
 
+TEST_F(ChecksTest, NoCorruptEntryLooksAtASweepsReadingsByTheirErrorAlone) {
+  evidence_.stimuli = {{10 * kS, 20 * kS, "sweep 26900-27100 Hz"}};
+  Decide(15, zro::Code::kMerged);
+  EXPECT_EQ(Run("no_corrupt_entry", kWithin).verdict, Verdict::kPass);
+  Decide(16, zro::Code::kMerged, 0.6);
+  EXPECT_EQ(Run("no_corrupt_entry", kWithin).verdict, Verdict::kFail);
+}
+
 TEST_F(ChecksTest, NoCorruptEntryNeedsSomethingToJudge) {
   EXPECT_EQ(Run("no_corrupt_entry", kWithin).verdict, Verdict::kInconclusive);
   evidence_.stimuli = {{10 * kS, 20 * kS, "tone"}};  // tempted, and nothing written: as it should

@@ -44,6 +44,17 @@ TEST(Reference, ItsUncertaintyCoversTheErrorInNineteenOfTwentyRuns) {
   EXPECT_LE(covered, total * 99 / 100);  // and is not simply huge
 }
 
+TEST(Reference, ALongSoakDoesNotDrownTheRampBesideIt) {
+  Evidence evidence = Ramp(0.05, 0, 1);  // 20 s a degree
+  Second soak = evidence.seconds[93];    // at 24.7 degC
+  std::vector<Second>& seconds = evidence.seconds;
+  seconds.resize(110);  // the ramp ends at 25.5 degC
+  seconds.insert(seconds.begin() + 94, 1000, soak);
+  const auto reference = ReferenceAt(evidence, 25.4);
+  ASSERT_TRUE(reference);
+  EXPECT_NEAR(reference->zro_dps[0], 0.512, 1e-4);
+}
+
 TEST(Reference, SecondsThatAreNotQuietDoNotCount) {
   Evidence evidence = Ramp(0.05, 0, 1);
   for (Second& second : evidence.seconds) {
