@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
+#include <algorithm>
 #include <cmath>
 
 namespace zrobench::blind {
@@ -17,10 +18,6 @@ double Threshold(Index freedom) {
   constexpr double kNormal = 3.43;
   const double f = static_cast<double>(freedom);
   return f * std::pow(1 - 2 / (9 * f) + kNormal * std::sqrt(2 / (9 * f)), 3);
-}
-
-std::vector<std::vector<double>> ShapesOf(const Kind& kind) {
-  return kind.grid.empty() ? std::vector<std::vector<double>>{{}} : kind.grid;
 }
 
 // Every channel in units of its own scatter.
@@ -51,21 +48,16 @@ Best BestOf(const BaseFit& fit, const VectorXd& signal, const ColumnsOf& columns
   Best best;
   for (const Kind& kind : KnownKinds()) {
     if (!fit.yard.MaySuspect(kind)) continue;
-    const auto shapes = ShapesOf(kind);
-    const MatrixXd all = columns_of(kind, shapes);
-    const Index at_once = kind.grid_is_joint ? all.cols() : all.cols() / std::ssize(shapes);
-    for (Index first = 0; first < all.cols(); first += at_once) {
-      const double excess = Explained(all.middleCols(first, at_once), signal) - Threshold(at_once);
+    const auto shapes = SuspectedShapes(kind);
+    for (const MatrixXd& columns : Alternatives(kind, columns_of(kind, shapes))) {
+      const double excess = Explained(columns, signal) - Threshold(columns.cols());
       if (excess > best.excess) best = {std::string(kind.id), excess};
     }
   }
   return best;
 }
 
-BaselineAnswer Naming(const Best& best) {
-  if (best.id.empty()) return {};
-  return {{best.id}, true};
-}
+Named Naming(const Best& best) { return best.id.empty() ? Named{} : Named{best.id}; }
 
 // Stacked rows of one gyro axis.
 VectorXd AxisOf(const VectorXd& stacked, Index axis) {
@@ -106,51 +98,45 @@ BaseModel FittedModel(const Recording& recording) {
   return bench.actual;
 }
 
-BaselineAnswer ByCorrelation(const BaseFit& fit) {
+Named ByCorrelation(const BaseFit& fit) {
   const VectorXd residual = Scaled(fit.residual, fit.residual);
   return Naming(BestOf(fit, residual, [&fit](const Kind& kind, const auto& shapes) {
     return Scaled(fit.yard.Signatures(kind, shapes), fit.residual);
   }));
 }
 
-BaselineAnswer ByLikelihoodRatio(const BaseFit& fit) {
+Named ByLikelihoodRatio(const BaseFit& fit) {
   return Naming(BestOf(fit, fit.remainder, [&fit](const Kind& kind, const auto& shapes) {
     return fit.yard.ColumnsOf(kind, shapes);
   }));
 }
 
-BaselineAnswer Oracle(const BaseFit& fit, const std::vector<std::string>& truth) {
-  BaselineAnswer answer;
+Named Oracle(const BaseFit& fit, const std::vector<std::string>& truth) {
+  Named named;
   for (const std::string& id : truth) {
     if (!IsKnown(id)) continue;
     const Kind& kind = KindOf(id);
-    const auto shapes = ShapesOf(kind);
-    const MatrixXd all = fit.yard.ColumnsOf(kind, shapes);
-    const Index at_once = kind.grid_is_joint ? all.cols() : all.cols() / std::ssize(shapes);
-    double most = 0;
-    for (Index first = 0; first < all.cols(); first += at_once) {
-      most = std::max(most, Explained(all.middleCols(first, at_once), fit.remainder));
-    }
-    if (most > Threshold(at_once)) answer.named.push_back(id);
+    const auto spans = Alternatives(kind, fit.yard.ColumnsOf(kind, SuspectedShapes(kind)));
+    const bool significant = std::ranges::any_of(spans, [&fit](const MatrixXd& columns) {
+      return Explained(columns, fit.remainder) > Threshold(columns.cols());
+    });
+    if (significant) named.push_back(id);
   }
-  answer.detected = !answer.named.empty();
-  return answer;
+  return named;
 }
 
-BaselineAnswer ByStlsq(const BaseFit& fit) {
+Named ByStlsq(const BaseFit& fit) {
   constexpr double kThreshold_dps = 1e-3;
-  std::vector<std::string> names;
   MatrixXd library(fit.residual.size() / kChannels, 0);
   for (const std::string& id : AlgebraicIds()) {
     const Kind& kind = KindOf(id);
-    const MatrixXd columns = fit.yard.Signatures(kind, {ShapesOf(kind).front()});
+    const MatrixXd columns = fit.yard.Signatures(kind, {SuspectedShapes(kind).front()});
     library.conservativeResize(Eigen::NoChange, library.cols() + 1);
     library.rightCols(1) = AxisOf(columns.col(0), 0);  // its own regressor: axis x driven alone
     const double scale = library.rightCols(1).cwiseAbs().maxCoeff();
     if (scale > 0) library.rightCols(1) /= scale;
-    names.push_back(id);
   }
-  BaselineAnswer answer;
+  Named named;
   for (Index axis = 0; axis < 3; ++axis) {
     const VectorXd target = AxisOf(fit.residual, axis);
     VectorXd active = VectorXd::Ones(library.cols());
@@ -162,13 +148,11 @@ BaselineAnswer ByStlsq(const BaseFit& fit) {
       }
     }
     for (Index c = 0; c < library.cols(); ++c) {
-      const std::string& id = names[static_cast<std::size_t>(c)];
-      const bool known = std::ranges::find(answer.named, id) != answer.named.end();
-      if (active[c] > 0 && !known) answer.named.push_back(id);
+      const std::string& id = AlgebraicIds()[static_cast<std::size_t>(c)];
+      if (active[c] > 0 && std::ranges::find(named, id) == named.end()) named.push_back(id);
     }
   }
-  answer.detected = !answer.named.empty();
-  return answer;
+  return named;
 }
 
 double RidgeHeldOutShare(const BaseFit& fit) {

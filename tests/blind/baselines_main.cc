@@ -16,12 +16,12 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-void Write(const fs::path& path, const BaselineAnswer& answer) {
+void Write(const fs::path& path, const Named& named) {
   json terms = json::array();
-  for (const std::string& id : answer.named) terms.push_back({{"id", id}});
+  for (const std::string& id : named) terms.push_back({{"id", id}});
   const json said = {{"schema", 1},
-                     {"verdict", answer.named.empty() ? "no_missing_physics" : "named"},
-                     {"mismatch", {{"detected", answer.detected}}},
+                     {"verdict", named.empty() ? "no_missing_physics" : "named"},
+                     {"mismatch", {{"detected", !named.empty()}}},
                      {"terms", terms},
                      {"ambiguity", json::array()}};
   std::ofstream(path) << said.dump(1) << "\n";

@@ -167,6 +167,14 @@ bool NeedsRectification(std::string_view id) {
 
 bool ExcludesRectification(std::string_view id) { return id == "acoustic.rectification"; }
 
+bool ActsOnEachAxis(const Kind& kind) {
+  return kind.stage == kGyro && !NeedsRectification(kind.id);
+}
+
+std::vector<std::vector<double>> SuspectedShapes(const Kind& kind) {
+  return kind.grid.empty() ? std::vector<std::vector<double>>{{}} : kind.grid;
+}
+
 Effect DrawEffect(const Kind& kind, Draw& draw) {
   Effect effect{.id = std::string(kind.id), .strength = kind.typical, .axes = {}, .shape = {}};
   for (double& axis : effect.axes) axis = draw.Sign() * draw.Uniform(0.2, 1);

@@ -48,6 +48,10 @@ bool IsKnown(std::string_view id);
 /// Whether the effect presupposes (true) or excludes (false) that the station knows rectification.
 bool NeedsRectification(std::string_view id);
 bool ExcludesRectification(std::string_view id);
+/// Whether each gyro axis has a share of its own; otherwise one figure tells all.
+bool ActsOnEachAxis(const Kind& kind);
+/// Shapes tried when it is suspected: the grid, or the one shape without parameters.
+std::vector<std::vector<double>> SuspectedShapes(const Kind& kind);
 
 /// Shape and axes drawn, strength typical.
 Effect DrawEffect(const Kind& kind, Draw& draw);

@@ -27,12 +27,6 @@ bool FitForStructure(const Kind& kind, bool knows_rectification) {
   return true;
 }
 
-Campaign Commands(const std::vector<Schedule>& schedules, const Paths& paths) {
-  Campaign campaign{schedules, {}};
-  for (const ThermalPath& path : paths) campaign.command_pct.push_back(path.command_pct);
-  return campaign;
-}
-
 std::vector<Effect> Together(std::vector<Effect> effects, const std::vector<Hidden>& hidden) {
   for (const Hidden& one : hidden) effects.push_back(one.effect);
   return effects;
@@ -204,7 +198,7 @@ void Hide(HiddenCase& made, const Yardstick& first, std::uint64_t seed) {
   if (!AnyHeat(made.hidden)) return Measure(made, early, first);
   // The controller answers what is hidden: scale again on the commands it then gives.
   made.paths = CloseLoop(made.bench, made.schedules, Together(made.structural, made.hidden), seed);
-  const Yardstick yard(made.bench, Commands(made.schedules, made.paths));
+  const Yardstick yard(made.bench, CampaignOf(made.schedules, made.paths));
   const Difference late(made.bench, yard.campaign(), made.structural);
   for (std::size_t i = 0; i < made.hidden.size(); ++i) {
     Scale(made.hidden[i], made.order.hide[i].second, late, yard);
@@ -248,7 +242,7 @@ HiddenCase MakeCase(const CaseOrder& order, std::uint64_t seed) {
   if (order.foreign_nominals) MoveNominals(made.bench, choices);
   made.schedules = DrawSchedules(Draw(seed, "schedules"), made.bench);
   const Paths untouched = CloseLoop(made.bench, made.schedules, {}, seed);
-  const Yardstick yard(made.bench, Commands(made.schedules, untouched));
+  const Yardstick yard(made.bench, CampaignOf(made.schedules, untouched));
   for (const auto& [id, lambda] : order.hide) {
     made.hidden.push_back({DrawEffect(KindOf(id), choices), 0, {}});
   }

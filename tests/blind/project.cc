@@ -36,6 +36,16 @@ MatrixXd Span::Remainder(const MatrixXd& columns) const {
   return columns - basis_ * (basis_.transpose() * columns);
 }
 
+std::vector<MatrixXd> Alternatives(const Kind& kind, const MatrixXd& columns) {
+  const auto shapes = static_cast<Index>(SuspectedShapes(kind).size());
+  const Index at_once = kind.grid_is_joint ? columns.cols() : columns.cols() / shapes;
+  std::vector<MatrixXd> spans;
+  for (Index first = 0; first < columns.cols(); first += at_once) {
+    spans.emplace_back(columns.middleCols(first, at_once));
+  }
+  return spans;
+}
+
 Yardstick::Yardstick(const Bench& bench, Campaign campaign)
     : acoustic_(bench.knows_rectification),
       nominal_(bench.nominal),
@@ -172,7 +182,7 @@ bool Yardstick::MaySuspect(const Kind& kind) const {
 
 MatrixXd Yardstick::Signatures(const Kind& kind,
                                const std::vector<std::vector<double>>& shapes) const {
-  const bool axes = kind.stage == Stage::kGyro && !NeedsRectification(kind.id);
+  const bool axes = ActsOnEachAxis(kind);
   const Index count = axes ? 3 : 1;
   MatrixXd columns(reference_.size(), count * static_cast<Index>(shapes.size()));
   Index column = 0;
@@ -197,12 +207,7 @@ Yardstick::Alike Yardstick::NearestAlike(const VectorXd& projected,
   Alike nearest{"", std::numeric_limits<double>::max()};
   for (const Kind& kind : KnownKinds()) {
     if (std::ranges::find(except, kind.id) != except.end() || !MaySuspect(kind)) continue;
-    std::vector<std::vector<double>> grid = kind.grid;
-    if (grid.empty()) grid.emplace_back();
-    const MatrixXd all = ColumnsOf(kind, grid);
-    const Index at_once = kind.grid_is_joint ? all.cols() : all.cols() / std::ssize(grid);
-    for (Index first = 0; first < all.cols(); first += at_once) {
-      const MatrixXd columns = all.middleCols(first, at_once);
+    for (const MatrixXd& columns : Alternatives(kind, ColumnsOf(kind, SuspectedShapes(kind)))) {
       if (columns.norm() < 1e-6) continue;
       const double left = Span(columns).Remainder(projected).squaredNorm();
       if (left < nearest.noncentrality) nearest = {std::string(kind.id), left};

@@ -14,11 +14,13 @@ class Span {
  public:
   explicit Span(const Eigen::MatrixXd& columns);
   Eigen::MatrixXd Remainder(const Eigen::MatrixXd& columns) const;
-  Eigen::Index rank() const { return basis_.cols(); }
 
  private:
   Eigen::MatrixXd basis_;
 };
+
+/// Columns of an effect's SuspectedShapes, in the groups that are each tried as an explanation.
+std::vector<Eigen::MatrixXd> Alternatives(const Kind& kind, const Eigen::MatrixXd& columns);
 
 /// The base model of one bench about its recording: noise, nuisances, and look-alikes.
 class Yardstick {
@@ -61,7 +63,6 @@ class Yardstick {
   /// The base model's own recording at the point of linearisation.
   const Eigen::VectorXd& reference() const { return reference_; }
   const Campaign& campaign() const { return campaign_; }
-  const Whitener& whitener() const { return whitener_; }
 
  private:
   struct Nuisance {

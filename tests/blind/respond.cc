@@ -6,6 +6,12 @@ namespace zrobench::blind {
 
 using Eigen::Index;
 
+Campaign CampaignOf(const std::vector<Schedule>& schedules, const Paths& paths) {
+  Campaign campaign{schedules, {}};
+  for (const ThermalPath& path : paths) campaign.command_pct.push_back(path.command_pct);
+  return campaign;
+}
+
 Paths Heat(const BaseModel& model, const Solids& solids, const std::vector<Effect>& effects,
            const Campaign& campaign) {
   Paths paths;

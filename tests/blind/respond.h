@@ -23,6 +23,9 @@ struct Campaign {
 
 using Paths = std::vector<ThermalPath>;
 
+/// As done in runs that took these paths.
+Campaign CampaignOf(const std::vector<Schedule>& schedules, const Paths& paths);
+
 /// Heat flow of every run under the campaign's commands. Effects of other stages are ignored.
 Paths Heat(const BaseModel& model, const Solids& solids, const std::vector<Effect>& effects,
            const Campaign& campaign);

@@ -48,8 +48,8 @@ VectorXd BoardLag_s(const std::vector<Effect>& effects) {
       StrengthOf(effects, "time.clock_skew") * VectorXd::LinSpaced(kRunRows, 0.5, kRunRows - 0.5);
   const double lost_s = StrengthOf(effects, "time.drops");
   const double phase = ShapeOf(effects, "time.drops", 0);
-  for (int burst = 0; burst < 4;
-       ++burst) {  // frames lost in four bursts, counted as if they were not
+  // Frames lost in four bursts, counted as if they were not.
+  for (int burst = 0; burst < 4; ++burst) {
     const auto at = static_cast<Index>(kRunRows * (0.2 + 0.2 * burst + 0.15 * phase));
     lag.tail(kRunRows - at).array() -= lost_s / 4;
   }

@@ -12,14 +12,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-bool HasAxes(const Kind& kind) {
-  return kind.stage == Stage::kGyro && !NeedsRectification(kind.id);
-}
-
 Json EffectJson(const Effect& effect) {
   const Kind& kind = KindOf(effect.id);
   Json value = effect.strength;
-  if (HasAxes(kind)) {
+  if (ActsOnEachAxis(kind)) {
     value = Json::array();
     for (const double axis : effect.axes) value.push_back(effect.strength * axis);
   }

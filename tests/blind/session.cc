@@ -95,7 +95,7 @@ std::string AcousticText(const Bench& bench) {
   std::string text = fmt::format(
       "\n[model.term.\"acoustic.resonance\"]\nresonance_hz = {}\nq = {:.1f}\n"
       "mode_split_hz = 1373.0\ninjection_dps_per_pa = [0.06, 0.08, 0.15]\n",
-      "[33000.0, 30000.0, 27000.0]", model.resonance_q);
+      Triple(model.resonance_hz), model.resonance_q);
   if (bench.knows_rectification) {
     text += fmt::format("\n[model.term.\"acoustic.rectification\"]\ndps_per_pa2 = {}\n",
                         Triple(model.rectification_dps_per_pa2));
