@@ -182,7 +182,8 @@ ThermalPath RunThermal(const BaseModel& model, const Solids& solids,
   const Eigen::VectorXd stale = StaleEvents(effects);
   const double dead_s = StrengthOf(effects, "thermal.dead_time");
   ThermalPath path{Eigen::VectorXd(kRunRows), Eigen::VectorXd(kRunRows), Eigen::VectorXd(kRunRows)};
-  Eigen::VectorXd applied(kRunRows);
+  // Zeros: at a row's end the command to come is asked for, times nothing.
+  Eigen::VectorXd applied = Eigen::VectorXd::Zero(kRunRows);
   Eigen::VectorXd integral = Eigen::VectorXd::Zero(kRunRows + 1);  // of the applied command
   const auto integral_at = [&](double s) {
     if (s <= 0) return 0.0;
