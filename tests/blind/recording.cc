@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -17,6 +18,15 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr double kBlank = std::numeric_limits<double>::quiet_NaN();
+
+double CellOf(const std::string& cell, const std::filesystem::path& path) {
+  double value = 0;
+  const auto [end, problem] = std::from_chars(cell.data(), cell.data() + cell.size(), value);
+  if (problem != std::errc() || end != cell.data() + cell.size()) {
+    throw std::runtime_error(fmt::format("{}: '{}' is no number", path.string(), cell));
+  }
+  return value;
+}
 
 // Columns by name; the first row (t = 0) has set point and stimuli only.
 std::map<std::string, VectorXd> Columns(const std::filesystem::path& path) {
@@ -33,7 +43,7 @@ std::map<std::string, VectorXd> Columns(const std::filesystem::path& path) {
     std::istringstream cells(line);
     std::size_t column = 0;
     for (std::string cell; std::getline(cells, cell, ',') && column < names.size(); ++column) {
-      if (!cell.empty()) columns[names[column]][row] = std::stod(cell);
+      if (!cell.empty()) columns[names[column]][row] = CellOf(cell, path);
     }
   }
   if (row != kRunRows + 1) {
