@@ -2,6 +2,7 @@
 // Weighs a difference between two noiseless recordings by the noise the generator knows: white
 // noise and registers on every channel, 1/f on the gyro's axes, drafts through the heat flow.
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "tests/blind/bench.h"
@@ -9,8 +10,8 @@
 
 namespace zrobench::blind {
 
-/// A sum of Ornstein-Uhlenbeck states, a decade apart, that is 1/f within 6 % from 1/(2 h) up to a
-/// block's rate; a test holds it to that.
+/// A sum of Ornstein-Uhlenbeck states, a decade apart, that is 1/f within 11 % from 1/(2 h) up to
+/// half a block's rate; a test holds it to that.
 struct FlickerStates {
   std::vector<double> time_s;
   double sigma = 0;  ///< rms of each
