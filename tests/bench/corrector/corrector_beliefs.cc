@@ -5,7 +5,6 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <map>
 
 #include "tests/bench/corrector/score.h"
@@ -34,10 +33,7 @@ struct Belief final : Watcher {
     if (now.disturbed && follows && output == 0) output = now.period - kFromMinute + 1;
   }
   void OnEvent(const Instant& now, const zro::Event& event) override {
-    const bool writes = event.code == zro::Code::kNew || event.code == zro::Code::kMerged ||
-                        event.code == zro::Code::kOverwroteOld ||
-                        event.code == zro::Code::kShiftConfirmed;
-    if (now.disturbed && writes && table == 0) table = now.period - kFromMinute + 1;
+    if (now.disturbed && IsWrite(event.code) && table == 0) table = now.period - kFromMinute + 1;
   }
   int output = 0, table = 0;
 

@@ -1,5 +1,5 @@
 // What a sample costs the host, beside a loop that only averages and subtracts:
-//   build/release/tests/bench/corrector/corrector_bench
+//   build/release/tests/bench/corrector/corrector_bench_ns
 #include <benchmark/benchmark.h>
 
 #include <vector>

@@ -7,7 +7,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
-#include <cmath>
 #include <thread>
 
 #include "tests/bench/corrector/score.h"
@@ -52,11 +51,7 @@ std::vector<Score> RunAll(const Scenario& scenario, LearnerKind kind,
 
 struct EventPrinter final : Watcher {
   void OnSample(const Instant& now, const Vector& estimate) override {
-    double squares = 0.0;
-    for (std::size_t i = 0; i < 3; ++i) {
-      squares += (estimate[i] - now.truth_dps[i]) * (estimate[i] - now.truth_dps[i]);
-    }
-    worst_mdps_ = std::max(worst_mdps_, 1e3 * std::sqrt(squares));
+    worst_mdps_ = std::max(worst_mdps_, 1e3 * ErrorOf(estimate, now.truth_dps));
   }
   void OnEvent(const Instant& now, const zro::Event& e) override {
     fmt::print(

@@ -4,28 +4,11 @@
 #include <optional>
 
 #include "corrector/corrector.h"
+#include "rig/record/ram_storage.h"
 #include "tests/bench/corrector/simple_learners.h"
 
 namespace zrobench::bench {
 namespace {
-
-class RamStorage final : public zro::Storage {
- public:
-  RamStorage() {
-    for (auto& slot : slots_) slot.assign(zro::Store::kSlotBytes, 0xFF);
-  }
-  bool Read(int slot, std::uint8_t* out, std::size_t size) override {
-    std::memcpy(out, slots_[static_cast<std::size_t>(slot)].data(), size);
-    return true;
-  }
-  bool Write(int slot, const std::uint8_t* bytes, std::size_t size) override {
-    std::memcpy(slots_[static_cast<std::size_t>(slot)].data(), bytes, size);
-    return true;
-  }
-
- private:
-  std::array<std::vector<std::uint8_t>, kSlots> slots_;
-};
 
 /// Entries of `before` that `after` does not hold exactly.
 int Lost(const zro::Table& before, const zro::Table& after) {

@@ -9,17 +9,6 @@ namespace {
 constexpr double kCorruptDps = 0.050;
 constexpr double kRecoveredDps = 0.030;
 
-double Length(const Vector& a, const Vector& b) {
-  double squares = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(squares);
-}
-
-bool IsWrite(zro::Code code) {
-  return code == zro::Code::kNew || code == zro::Code::kMerged ||
-         code == zro::Code::kOverwroteOld || code == zro::Code::kShiftConfirmed;
-}
-
 /// Follows a run and keeps its figures.
 class Scorer {
  public:
@@ -38,7 +27,7 @@ class Scorer {
       learned_ = false;
       if (!now.disturbed) ++clean_;
     }
-    const double error = Length(estimate_dps, now.truth_dps);
+    const double error = ErrorOf(estimate_dps, now.truth_dps);
     Recover(now, error);
     if (now.t_s >= scenario_.score_from_s) {
       squares_ += error * error;
@@ -58,7 +47,6 @@ class Scorer {
       ++score_.stills_learned;
     }
     if (!IsWrite(event.code)) return;
-    ++score_.writes;
     const Vector truth = world_.CurveAt(static_cast<double>(event.temp_degc), now.t_s);
     bool corrupt = disturbed_at_ >= 0 && static_cast<std::int64_t>(n_) - disturbed_at_ <=
                                              static_cast<std::int64_t>(reading_samples_);
@@ -135,6 +123,19 @@ double Quantile(std::vector<double> values, double q) {
 }
 
 }  // namespace
+
+double ErrorOf(const Vector& estimate_dps, const Vector& truth_dps) {
+  double squares = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    squares += (estimate_dps[i] - truth_dps[i]) * (estimate_dps[i] - truth_dps[i]);
+  }
+  return std::sqrt(squares);
+}
+
+bool IsWrite(zro::Code code) {
+  return code == zro::Code::kNew || code == zro::Code::kMerged ||
+         code == zro::Code::kOverwroteOld || code == zro::Code::kShiftConfirmed;
+}
 
 Score Run(const Scenario& scenario, LearnerKind kind, std::uint64_t seed, Watcher* watcher) {
   World world(scenario, seed);

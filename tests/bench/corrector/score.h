@@ -14,7 +14,6 @@ struct Score {
   double max_mdps = 0.0;
   double max_at_s = 0.0;
   int corrupt_writes = 0;  ///< window overlaps a disturbance, or off by more than 50 mdps
-  int writes = 0;          ///< codes 32, 33, 34, 37
   int stills = 0;
   int stills_learned = 0;  ///< with a new, merged, overwrote_old or recent
   int entries_lost = 0;    ///< by the reboot or cut
@@ -22,6 +21,11 @@ struct Score {
   /// 30 mdps; the worst burst.
   int stills_to_recover = 0;
 };
+
+/// Length of the error vector, dps.
+double ErrorOf(const Vector& estimate_dps, const Vector& truth_dps);
+/// The decision put a reading into the table: codes 32, 33, 34, 37.
+bool IsWrite(zro::Code code);
 
 /// What is told of each sample and event, for a closer look; may be null.
 struct Watcher {
