@@ -56,6 +56,12 @@ inline constexpr bool IsRejection(Code c) {
   return static_cast<std::uint8_t>(c) >= 1 && static_cast<std::uint8_t>(c) <= 16;
 }
 
+/// A reading entered the table by it.
+inline constexpr bool IsWrite(Code c) {
+  return c == Code::kNew || c == Code::kMerged || c == Code::kOverwroteOld ||
+         c == Code::kShiftConfirmed;
+}
+
 /// One decision with the numbers behind it.
 struct Event {
   std::uint32_t seq;     ///< counts the events since boot, from 0

@@ -44,12 +44,6 @@ struct PowerCut {
   bool clean = true;
 };
 
-/// The decision put a reading into the table.
-constexpr bool WroteEntry(zro::Code code) {
-  return code == zro::Code::kNew || code == zro::Code::kMerged ||
-         code == zro::Code::kOverwroteOld || code == zro::Code::kShiftConfirmed;
-}
-
 /// A decision of the board with the host time at which it was taken.
 struct TimedDecision {
   std::uint64_t at_us = 0;

@@ -1,5 +1,5 @@
-// Every shipped profile, found in the folder, as a user runs it: a good corrector passes it on any
-// seed. quick-look has its own tests in run_test.cc.
+// Every shipped profile, found in the folder, as a user runs it, on three seeds. quick-look has its
+// own tests in run_test.cc.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -50,12 +50,6 @@ Status CheckOptions(const std::filesystem::path& recording, const ReplayOptions&
   return {};
 }
 
-/// A reading that was written: new, merged, overwritten, or a shift confirmed by it.
-bool Wrote(zro::Code code) {
-  return code == zro::Code::kNew || code == zro::Code::kMerged ||
-         code == zro::Code::kOverwroteOld || code == zro::Code::kShiftConfirmed;
-}
-
 /// The corrector over one recording.
 class ReplayRun final : public ReplaySink {
  public:
@@ -144,7 +138,7 @@ class ReplayRun final : public ReplaySink {
     zro::Event event{};
     while (corrector_->PopEvent(&event)) {
       ++summary_.decisions[event.code];
-      const bool wrote = Wrote(event.code);
+      const bool wrote = zro::IsWrite(event.code);
       if (wrote) {
         summary_.errors.Add(event.measured_dps, estimate_dps_);
         summary_.hindsight.Add(double{event.temp_degc}, event.measured_dps);

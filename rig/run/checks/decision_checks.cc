@@ -101,7 +101,7 @@ Measurement WritesDuringStimuli(const Evidence& evidence) {
                 .first_us = evidence.first_us,
                 .last_us = evidence.last_us};
   for (const TimedDecision& decision : evidence.decisions) {
-    if (!WroteEntry(decision.record.code)) continue;
+    if (!zro::IsWrite(decision.record.code)) continue;
     const std::uint64_t from = decision.at_us - std::min(decision.at_us, kReading_us);
     const bool corrupt =
         std::any_of(evidence.stimuli.begin(), evidence.stimuli.end(), [&](const Interval& i) {
@@ -124,7 +124,7 @@ CheckResult CheckNoCorruptEntry(const Expectation& expect, const CheckContext& c
                           within));
   result.measurements.push_back(WritesDuringStimuli(context.evidence));
   for (const TimedDecision& decision : context.evidence.decisions) {
-    if (!WroteEntry(decision.record.code)) continue;
+    if (!zro::IsWrite(decision.record.code)) continue;
     const auto reference =
         ReferenceAt(SameAge(context.evidence, decision.at_us), decision.record.temp_degc);
     if (!reference) continue;

@@ -30,7 +30,7 @@ std::vector<double> WrittenBetween(const Evidence& evidence, std::uint64_t from_
                                    std::uint64_t to_us) {
   std::vector<double> written_degc;
   for (const TimedDecision& decision : evidence.decisions) {
-    if (!WroteEntry(decision.record.code)) continue;
+    if (!zro::IsWrite(decision.record.code)) continue;
     if (decision.at_us < from_us || decision.at_us > to_us) continue;
     written_degc.push_back(decision.record.temp_degc);
   }

@@ -33,7 +33,8 @@ struct Belief final : Watcher {
     if (now.disturbed && follows && output == 0) output = now.period - kFromMinute + 1;
   }
   void OnEvent(const Instant& now, const zro::Event& event) override {
-    if (now.disturbed && IsWrite(event.code) && table == 0) table = now.period - kFromMinute + 1;
+    if (now.disturbed && zro::IsWrite(event.code) && table == 0)
+      table = now.period - kFromMinute + 1;
   }
   int output = 0, table = 0;
 

@@ -42,11 +42,11 @@ class Scorer {
   }
 
   void Event(const Instant& now, const zro::Event& event) {
-    if ((IsWrite(event.code) || event.code == zro::Code::kRecentNothingToDo) && !learned_) {
+    if ((zro::IsWrite(event.code) || event.code == zro::Code::kRecentNothingToDo) && !learned_) {
       learned_ = true;
       ++score_.stills_learned;
     }
-    if (!IsWrite(event.code)) return;
+    if (!zro::IsWrite(event.code)) return;
     const Vector truth = world_.CurveAt(static_cast<double>(event.temp_degc), now.t_s);
     bool corrupt = disturbed_at_ >= 0 && static_cast<std::int64_t>(n_) - disturbed_at_ <=
                                              static_cast<std::int64_t>(reading_samples_);
@@ -130,11 +130,6 @@ double ErrorOf(const Vector& estimate_dps, const Vector& truth_dps) {
     squares += (estimate_dps[i] - truth_dps[i]) * (estimate_dps[i] - truth_dps[i]);
   }
   return std::sqrt(squares);
-}
-
-bool IsWrite(zro::Code code) {
-  return code == zro::Code::kNew || code == zro::Code::kMerged ||
-         code == zro::Code::kOverwroteOld || code == zro::Code::kShiftConfirmed;
 }
 
 Score Run(const Scenario& scenario, LearnerKind kind, std::uint64_t seed, Watcher* watcher) {

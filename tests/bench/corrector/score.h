@@ -24,8 +24,6 @@ struct Score {
 
 /// Length of the error vector, dps.
 double ErrorOf(const Vector& estimate_dps, const Vector& truth_dps);
-/// The decision put a reading into the table: codes 32, 33, 34, 37.
-bool IsWrite(zro::Code code);
 
 /// What is told of each sample and event, for a closer look; may be null.
 struct Watcher {
